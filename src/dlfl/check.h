@@ -1,0 +1,20 @@
+#pragma once
+
+#include "dlfl/mesh.h"
+
+#include <string>
+
+namespace druse {
+
+/// The first broken rule of the doubly linked face list as a sentence, or an empty string if the mesh is sound.
+///
+/// Rules: next and previous are each other's inverse; every corner is in the cycle of one face; an edge has two different
+/// corners that run against each other; the corners of a vertex form one rotation; a corner without an edge is a point sphere;
+/// start corners and vertex corners point at their own; positions are finite; groups are not negative. Cost: O(mesh).
+std::string check(const Mesh& mesh);
+
+/// The same rules for what changed since Mesh::begin_change(), as far as they can be seen from there. Cost: O(change), except
+/// that the rotation of a touched vertex is walked. Precondition: a change is being recorded.
+std::string check_change(const Mesh& mesh);
+
+} // namespace druse

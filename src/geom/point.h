@@ -1,0 +1,35 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace druse {
+
+using Point = glm::dvec3;    // a place, in model units
+using Vector = glm::dvec3;   // a difference of places, or a direction
+using Point2 = glm::dvec2;
+
+/// A vector of length 1 in the direction of `v`, or `fallback` where `v` is shorter than `least`.
+inline Vector unit(const Vector& v, double least = 0.0, const Vector& fallback = Vector(0.0))
+{
+    const double length = glm::length(v);
+    return length > least ? v / length : fallback;
+}
+
+/// The axis-aligned box of a set of points; empty until a point is added.
+struct Box {
+    Point min{1e300}, max{-1e300};
+
+    void add(const Point& p)
+    {
+        min = glm::min(min, p);
+        max = glm::max(max, p);
+    }
+    bool empty() const { return min.x > max.x; }
+    Vector size() const { return empty() ? Vector(0.0) : max - min; }
+    Point center() const { return empty() ? Point(0.0) : 0.5 * (min + max); }
+    double diagonal() const { return glm::length(size()); }
+};
+
+} // namespace druse
