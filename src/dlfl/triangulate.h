@@ -10,15 +10,18 @@ namespace druse {
 
 /// Cuts faces into triangles without new vertices, for drawing and for formats that know triangles only.
 ///
-/// Convex quads are cut along the shorter diagonal; other faces are ear-clipped in the plane of their Newell normal, so that
-/// concave faces come out right and warped ones as well as a plane projection allows. A face with n corners gives n − 2
-/// triangles, always, each running like the face. Scratch memory is kept from call to call.
+/// Quads are cut along the shorter diagonal, or the only one that lies inside; larger faces go through clip_ears() in the plane
+/// of their Newell normal, so that concave faces come out right and warped ones as well as a plane projection allows. A face
+/// with n corners gives n − 2 triangles, always, each running like the face. Scratch memory is kept from call to call.
 class Triangulator {
 public:
     /// The triangles of one face as corners, valid until the next call. Faces with fewer than 3 corners give none.
     const std::vector<std::array<Corner, 3>>& triangles(const Mesh& mesh, Face f);
 
 private:
+    void cut_quad(const Mesh& mesh);
+    void flatten(const Mesh& mesh);
+
     std::vector<std::array<Corner, 3>> triangles_;
     std::vector<Corner> corners_;
     std::vector<Point2> flat_;
