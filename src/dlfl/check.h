@@ -13,8 +13,8 @@ namespace druse {
 /// start corners and vertex corners point at their own; positions are finite; groups are not negative. Cost: O(mesh).
 std::string check(const Mesh& mesh);
 
-/// The same rules for what changed since Mesh::begin_change(), as far as they can be seen from there. Cost: O(change), except
-/// that the rotation of a touched vertex is walked. Precondition: a change is being recorded.
+/// The same rules for what changed since Mesh::begin_change(), as far as they can be seen from there. Cost: O(change) plus
+/// a bit per corner and vertex, except that the rotation of a touched vertex is walked. Precondition: a change is being recorded.
 std::string check_change(const Mesh& mesh);
 
 } // namespace druse

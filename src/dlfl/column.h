@@ -43,8 +43,12 @@ public:
     static constexpr std::uint32_t page_size = 1u << page_bits;
 
     Column() = default;
-    Column(Column&&) noexcept = default;
-    Column& operator=(Column&&) noexcept = default;
+    Column(Column&& other) noexcept { take(other); }
+    Column& operator=(Column&& other) noexcept
+    {
+        if (this != &other) take(other);
+        return *this;
+    }
     Column(const Column& other) { assign(other); }
     Column& operator=(const Column& other)
     {
@@ -72,16 +76,20 @@ public:
 
     void push_back(const T& value)
     {
-        if (size_ == limit()) grow(size_ + 1);
+        if (size_ == limit_) grow(size_ + 1);
         data()[size_++] = value;
     }
 
-    void reserve(std::uint32_t count) { block_.reserve(std::size_t(count) * sizeof(T)); }
+    void reserve(std::uint32_t count)
+    {
+        block_.reserve(std::size_t(count) * sizeof(T));
+        measure();
+    }
 
     /// Adds `count` elements whose values are not set yet, and returns the first of them.
     T* extend(std::uint32_t count)
     {
-        if (count > limit() - size_) grow(size_ + count);
+        if (count > limit_ - size_) grow(size_ + count);
         T* first = data() + size_;
         size_ += count;
         return first;
@@ -120,6 +128,7 @@ public:
         if (change.whole) {
             std::swap(block_, change.block);
             std::swap(size_, change.size);
+            measure();
             return;
         }
         std::vector<T> tail(data() + std::min(change.common, size_), data() + size_);
@@ -131,7 +140,7 @@ public:
             at += count;
         }
         const std::uint32_t before = size_;
-        if (change.size > limit()) grow(change.size);
+        if (change.size > limit_) grow(change.size);
         size_ = change.size;
         std::copy(change.tail.begin(), change.tail.end(), data() + change.common);
         change.tail = std::move(tail);
@@ -153,6 +162,8 @@ public:
         }
         block_ = std::move(other.block_);
         size_ = std::exchange(other.size_, 0);
+        measure();
+        other.measure();
     }
 
     /// Pages written since begin_change() that were there before it.
@@ -164,16 +175,23 @@ public:
 private:
     T* data() { return reinterpret_cast<T*>(block_.data()); }
     const T* data() const { return reinterpret_cast<const T*>(block_.data()); }
-    std::uint32_t limit() const
-    {
-        const std::size_t count = block_.capacity() / sizeof(T);
-        return count > 0xfffffffeu ? 0xfffffffeu : static_cast<std::uint32_t>(count);
-    }
+    void measure() { limit_ = static_cast<std::uint32_t>(std::min<std::size_t>(block_.capacity() / sizeof(T), 0xfffffffeu)); }
 
     void grow(std::uint32_t least)
     {
         const std::size_t more = std::size_t(size_) + size_ / 2 + 16;
-        block_.reserve(std::max<std::size_t>(least, more) * sizeof(T));
+        reserve(static_cast<std::uint32_t>(std::min<std::size_t>(std::max<std::size_t>(least, more), 0xfffffffeu)));
+    }
+
+    void take(Column& other)
+    {
+        block_ = std::move(other.block_);
+        size_ = std::exchange(other.size_, 0);
+        limit_ = std::exchange(other.limit_, 0);
+        known_ = other.known_;
+        recording_ = std::exchange(other.recording_, false);
+        kept_ = std::move(other.kept_);
+        change_ = std::exchange(other.change_, {});
     }
 
     void assign(const Column& other)
@@ -216,6 +234,7 @@ private:
 
     Storage block_;
     std::uint32_t size_ = 0;
+    std::uint32_t limit_ = 0; // how many fit into the block
     std::uint32_t known_ = 0; // size at begin_change()
     bool recording_ = false;
     std::vector<bool> kept_;

@@ -76,7 +76,10 @@ public:
     Mesh build(Repairs& repairs);
 
 private:
-    Mesh build_checked(Repairs* repairs);
+    bool pair_directly(Mesh& mesh);  // false: something has to be mended
+    Mesh mend(Repairs& repairs);
+    void leave_out_loose_vertices(Repairs& repairs);
+    void hand_over(Mesh& mesh);      // positions, corners and groups become the mesh's columns
 
     Column<Point> positions_;
     Column<Vertex> corners_;

@@ -1,0 +1,170 @@
+#include "dlfl/check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+namespace druse {
+
+/// Holds the columns of a mesh against the rules; each function returns the broken one or an empty string.
+class MeshChecker {
+public:
+    explicit MeshChecker(const Mesh& mesh) : mesh_(mesh) {}
+
+    std::string corner(Corner c) const
+    {
+        const auto say = [c](const char* what) { return fmt::format("corner {}: {}", c.index, what); };
+        const Corner next = mesh_.next(c), previous = mesh_.previous(c);
+        if (!mesh_.is_alive(next) || !mesh_.is_alive(previous)) return say("its neighbour in the face is not alive");
+        if (mesh_.previous(next) != c || mesh_.next(previous) != c) return say("next and previous are not each other's inverse");
+        if (!mesh_.is_alive(mesh_.vertex(c))) return say("its vertex is not alive");
+        const Face f = mesh_.face(c);
+        if (!f.valid() || (f.is_boundary() ? f.boundary_index() >= mesh_.boundary_count() : !mesh_.is_alive(f)))
+            return say("its face is not alive");
+        if (mesh_.face(next) != f) return say("the next corner lies in another face");
+        const Edge e = mesh_.edge(c);
+        if (!e.valid()) {
+            if (next != c) return say("it has no edge but is not a point sphere");
+            return {};
+        }
+        if (!mesh_.is_alive(e)) return say("its edge is not alive");
+        const Corner a = mesh_.corner(e, 0), b = mesh_.corner(e, 1);
+        if (a == b || (a != c && b != c)) return say("its edge does not name it as one of two corners");
+        const Corner across = mesh_.opposite(c);
+        if (!mesh_.is_alive(across) || mesh_.edge(across) != e) return say("the corner across its edge does not have that edge");
+        if (mesh_.vertex(across) != mesh_.vertex(next) || mesh_.vertex(mesh_.next(across)) != mesh_.vertex(c))
+            return say("the side across its edge does not run against it");
+        return {};
+    }
+
+    std::string edge(Edge e) const
+    {
+        for (int side = 0; side < 2; ++side)
+            if (const Corner c = mesh_.corner(e, side); !mesh_.is_alive(c) || mesh_.edge(c) != e)
+                return fmt::format("edge {}: corner {} is not one of its own", e.index, c.index);
+        return {};
+    }
+
+    std::string face(Face f) const
+    {
+        const Corner start = mesh_.corner(f);
+        if (!mesh_.is_alive(start) || mesh_.face(start) != f)
+            return fmt::format("{} {}: its start corner is not one of its own", f.is_boundary() ? "boundary face" : "face",
+                               f.is_boundary() ? f.boundary_index() : f.index);
+        if (!f.is_boundary() && mesh_.group(f) < 0) return fmt::format("face {}: its group {} is negative", f.index, mesh_.group(f));
+        return {};
+    }
+
+    /// Walks the rotation; `visited` grows by the number of corners met.
+    std::string vertex(Vertex v, std::uint64_t& visited) const
+    {
+        const Point& p = mesh_.position(v);
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return fmt::format("vertex {}: its position is not finite", v.index);
+        const Corner first = mesh_.corner(v);
+        if (!mesh_.is_alive(first) || mesh_.vertex(first) != v) return fmt::format("vertex {}: its corner is not one of its own", v.index);
+        if (!mesh_.edge(first).valid()) {
+            ++visited;
+            return {};
+        }
+        std::uint32_t steps = 0;
+        Corner c = first;
+        do {
+            if (mesh_.vertex(c) != v) return fmt::format("vertex {}: its rotation passes through corner {} of vertex {}", v.index, c.index, mesh_.vertex(c).index);
+            if (!mesh_.edge(c).valid() || ++steps > mesh_.corner_limit()) return fmt::format("vertex {}: its rotation does not close", v.index);
+            c = mesh_.rotate(c);
+        } while (c != first);
+        visited += steps;
+        return {};
+    }
+
+    std::string everything() const
+    {
+        std::uint64_t corners = 0, in_faces = 0, in_vertices = 0;
+        for (std::uint32_t i = 0; i < mesh_.corner_limit(); ++i)
+            if (mesh_.is_alive(Corner(i))) {
+                ++corners;
+                if (std::string broken = corner(Corner(i)); !broken.empty()) return broken;
+            }
+        for (const Edge e : mesh_.edges())
+            if (std::string broken = edge(e); !broken.empty()) return broken;
+        const auto walk = [&](Face f) -> std::string {
+            if (std::string broken = face(f); !broken.empty()) return broken;
+            in_faces += static_cast<std::uint64_t>(mesh_.valence(f));
+            return {};
+        };
+        for (const Face f : mesh_.faces())
+            if (std::string broken = walk(f); !broken.empty()) return broken;
+        for (const Face f : mesh_.boundary_faces())
+            if (std::string broken = walk(f); !broken.empty()) return broken;
+        if (in_faces != corners) return fmt::format("{} corners, but the faces pass through {}", corners, in_faces);
+        for (const Vertex v : mesh_.vertices())
+            if (std::string broken = vertex(v, in_vertices); !broken.empty()) return broken;
+        if (in_vertices != corners) return fmt::format("{} corners, but the rotations of the vertices pass through {}", corners, in_vertices);
+        return {};
+    }
+
+    std::string change() const
+    {
+        const Mesh& m = mesh_;
+        std::string broken;
+        std::vector<bool> corners_done(m.corner_limit()), vertices_done(m.vertex_limit());
+        const auto first_time = [](std::vector<bool>& done, std::uint32_t i) {
+            if (done[i]) return false;
+            done[i] = true;
+            return true;
+        };
+        std::uint64_t visited = 0;
+        each_changed(
+            [&](std::uint32_t i) {
+                const Corner c(i);
+                if (!m.is_alive(c) || !first_time(corners_done, i)) return true;
+                broken = corner(c);
+                if (broken.empty() && first_time(vertices_done, m.vertex(c).index)) broken = vertex(m.vertex(c), visited);
+                return broken.empty();
+            },
+            m.corner_vertex_, m.corner_next_, m.corner_previous_, m.corner_face_, m.corner_edge_);
+        if (!broken.empty()) return broken;
+        each_changed([&](std::uint32_t i) { return !m.is_alive(Edge(i)) || (broken = edge(Edge(i))).empty(); }, m.edge_corners_);
+        if (!broken.empty()) return broken;
+        each_changed([&](std::uint32_t i) { return !m.is_alive(Face(i)) || (broken = face(Face(i))).empty(); }, m.face_corner_, m.face_group_);
+        if (!broken.empty()) return broken;
+        each_changed([&](std::uint32_t i) { return (broken = face(Face::boundary(i))).empty(); }, m.boundary_corner_);
+        if (!broken.empty()) return broken;
+        each_changed([&](std::uint32_t i) { return !m.is_alive(Vertex(i)) || !first_time(vertices_done, i) || (broken = vertex(Vertex(i), visited)).empty(); },
+                     m.vertex_corner_, m.vertex_position_);
+        return broken;
+    }
+
+    bool changed_whole() const { return mesh_.corner_vertex_.changed_whole(); }
+
+private:
+    /// Calls `visit` with every index in a changed page or past the old end of one of the columns, until it returns false.
+    template <class Visit, class... T>
+    static void each_changed(Visit&& visit, const Column<T>&... columns)
+    {
+        bool going = true;
+        const auto one = [&](const auto& column) {
+            using C = std::remove_cvref_t<decltype(column)>;
+            const std::uint32_t known = std::min(column.size_before_change(), column.size());
+            for (const std::uint32_t page : column.changed_pages()) {
+                const std::uint32_t first = page << C::page_bits;
+                for (std::uint32_t i = first; going && i < std::min(first + C::page_size, known); ++i) going = visit(i);
+            }
+            for (std::uint32_t i = known; going && i < column.size(); ++i) going = visit(i);
+        };
+        (one(columns), ...);
+    }
+
+    const Mesh& mesh_;
+};
+
+std::string check(const Mesh& mesh) { return MeshChecker(mesh).everything(); }
+
+std::string check_change(const Mesh& mesh)
+{
+    const MeshChecker checker(mesh);
+    return checker.changed_whole() ? checker.everything() : checker.change();
+}
+
+} // namespace druse

@@ -1,0 +1,256 @@
+#include "dlfl/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace druse {
+
+Vector area_vector(const Mesh& mesh, Face f)
+{
+    // Taken about the first corner, so that a face far from the origin loses no digits.
+    const Corner first = mesh.corner(f);
+    const Point origin = mesh.position(first);
+    Vector sum(0.0);
+    for (Corner c = mesh.next(first); mesh.next(c) != first; c = mesh.next(c))
+        sum += glm::cross(mesh.position(c) - origin, mesh.position(mesh.next(c)) - origin);
+    return 0.5 * sum;
+}
+
+Vector unit_normal(const Mesh& mesh, Face f) { return unit(area_vector(mesh, f)); }
+
+Point vertex_mean(const Mesh& mesh, Face f)
+{
+    Vector sum(0.0);
+    int n = 0;
+    for (const Corner c : mesh.corners(f)) {
+        sum += mesh.position(c);
+        ++n;
+    }
+    return sum / double(n);
+}
+
+double area(const Mesh& mesh, Face f) { return glm::length(area_vector(mesh, f)); }
+
+double length(const Mesh& mesh, Edge e)
+{
+    const auto [a, b] = mesh.ends(e);
+    return glm::distance(mesh.position(a), mesh.position(b));
+}
+
+double nonplanarity(const Mesh& mesh, Face f)
+{
+    const Corner first = mesh.corner(f);
+    if (mesh.next(mesh.next(mesh.next(first))) == first) return 0.0; // a triangle, or fewer corners
+    const Vector normal = unit_normal(mesh, f);
+    const Point mean = vertex_mean(mesh, f);
+    double farthest = 0.0;
+    for (const Corner c : mesh.corners(f)) farthest = std::max(farthest, std::abs(glm::dot(mesh.position(c) - mean, normal)));
+    return farthest;
+}
+
+namespace {
+
+/// Six times the signed volume between the origin and a face fanned from its vertex mean.
+double six_volumes(const Mesh& mesh, Face f, const Point& origin)
+{
+    const Point mean = vertex_mean(mesh, f) - origin;
+    double sum = 0.0;
+    for (const Corner c : mesh.corners(f))
+        sum += glm::dot(mean, glm::cross(mesh.position(c) - origin, mesh.position(mesh.next(c)) - origin));
+    return sum;
+}
+
+} // namespace
+
+Box bounds(const Mesh& mesh)
+{
+    Box box;
+    for (const Vertex v : mesh.vertices()) box.add(mesh.position(v));
+    return box;
+}
+
+double volume(const Mesh& mesh)
+{
+    const Point origin = bounds(mesh).center(); // a model far from the origin loses no digits
+    double sum = 0.0;
+    for (const Face f : mesh.faces()) sum += six_volumes(mesh, f, origin);
+    for (const Face f : mesh.boundary_faces()) sum += six_volumes(mesh, f, origin);
+    return sum / 6.0;
+}
+
+double surface_area(const Mesh& mesh)
+{
+    double sum = 0.0;
+    for (const Face f : mesh.faces()) sum += area(mesh, f);
+    return sum;
+}
+
+Components components(const Mesh& mesh)
+{
+    // Faces, then boundary faces, joined across edges; the root of a set is its lowest member.
+    const std::uint32_t faces = mesh.face_limit(), all = faces + mesh.boundary_count();
+    std::vector<std::uint32_t> parent(all);
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto slot = [faces](Face f) { return f.is_boundary() ? faces + f.boundary_index() : f.index; };
+    const auto find = [&parent](std::uint32_t i) {
+        while (parent[i] != i) i = parent[i] = parent[parent[i]];
+        return i;
+    };
+    for (const Edge e : mesh.edges()) {
+        const auto [f, g] = mesh.faces(e);
+        const std::uint32_t a = find(slot(f)), b = find(slot(g));
+        if (a != b) parent[std::max(a, b)] = std::min(a, b);
+    }
+    Components result;
+    result.of_face.assign(faces, Face::none);
+    std::vector<std::uint32_t> part_of_root(all, Face::none);
+    for (const Face f : mesh.faces()) {
+        std::uint32_t& part = part_of_root[find(f.index)];
+        if (part == Face::none) {
+            part = static_cast<std::uint32_t>(result.parts.size());
+            result.parts.emplace_back();
+        }
+        result.of_face[f.index] = part;
+        ++result.parts[part].faces;
+        ++result.parts[part].euler;
+    }
+    const auto part_of = [&](Face f) -> Components::Part& { return result.parts[part_of_root[find(slot(f))]]; };
+    for (const Face f : mesh.boundary_faces()) ++part_of(f).boundary_loops;
+    for (const Edge e : mesh.edges()) --part_of(mesh.face(mesh.corner(e, 0))).euler;
+    for (const Vertex v : mesh.vertices()) ++part_of(mesh.face(mesh.corner(v))).euler;
+    return result;
+}
+
+std::int64_t euler_characteristic(const Mesh& mesh)
+{
+    return std::int64_t(mesh.vertex_count()) - mesh.edge_count() + mesh.face_count();
+}
+
+std::int64_t genus(const Mesh& mesh)
+{
+    // Σ (2 − χ_c − loops_c) / 2 over the components.
+    const auto parts = static_cast<std::int64_t>(components(mesh).parts.size());
+    return (2 * parts - euler_characteristic(mesh) - mesh.boundary_count()) / 2;
+}
+
+std::uint32_t boundary_edge_count(const Mesh& mesh)
+{
+    std::uint32_t count = 0;
+    for (const Face f : mesh.boundary_faces()) count += static_cast<std::uint32_t>(mesh.valence(f));
+    return count;
+}
+
+namespace {
+
+/// Edges with the same two ends as an edge of lower id.
+std::uint32_t count_parallel_edges(const Mesh& mesh)
+{
+    // Parallel edges are met at the end with fewer corners, so that a vertex of huge valence is never searched.
+    std::uint32_t parallel = 0;
+    std::vector<std::uint32_t> seen(mesh.vertex_limit(), Vertex::none), degree(mesh.vertex_limit(), 0);
+    for (const Edge e : mesh.edges())
+        for (const Vertex v : mesh.ends(e)) ++degree[v.index];
+    for (const Vertex v : mesh.vertices()) {
+        if (mesh.is_point_sphere(v)) continue;
+        for (const Corner c : mesh.around(v)) {
+            const Vertex w = mesh.target(c);
+            if (w == v || degree[v.index] > degree[w.index] || (degree[v.index] == degree[w.index] && v > w)) continue;
+            if (seen[w.index] == v.index) ++parallel;
+            seen[w.index] = v.index;
+        }
+    }
+    return parallel;
+}
+
+/// Pairs of faces that lie on each other: the same vertices in opposite rotation.
+std::uint32_t count_zero_thickness_walls(const Mesh& mesh)
+{
+    const auto opposite_rotations = [&mesh](Face f, Face g) {
+        const Vertex first = mesh.vertex(mesh.corner(f));
+        for (const Corner start : mesh.corners(g)) {
+            if (mesh.vertex(start) != first) continue;
+            Corner a = mesh.corner(f), b = start;
+            bool same = true;
+            do {
+                a = mesh.next(a);
+                b = mesh.previous(b);
+                same = mesh.vertex(a) == mesh.vertex(b);
+            } while (same && a != mesh.corner(f));
+            if (same && b == start) return true;
+        }
+        return false;
+    };
+    // Such faces share an edge in a punched rind, but need not: look them up by what their vertices add up to.
+    std::vector<std::pair<std::uint64_t, Face>> sums;
+    sums.reserve(mesh.face_count());
+    for (const Face f : mesh.faces()) {
+        std::uint64_t sum = 0;
+        for (const Corner c : mesh.corners(f)) {
+            std::uint64_t x = mesh.vertex(c).index + 0x9e3779b97f4a7c15ull; // splitmix64
+            x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+            x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+            sum += x ^ (x >> 31);
+        }
+        sums.emplace_back(sum, f);
+    }
+    std::sort(sums.begin(), sums.end());
+    std::uint32_t walls = 0;
+    for (std::size_t i = 0; i < sums.size();) {
+        std::size_t j = i + 1;
+        while (j < sums.size() && sums[j].first == sums[i].first) ++j;
+        std::vector<bool> used(j - i, false);
+        for (std::size_t a = i; a < j; ++a)
+            for (std::size_t b = a + 1; b < j && !used[a - i]; ++b)
+                if (!used[b - i] && opposite_rotations(sums[a].second, sums[b].second)) {
+                    used[a - i] = used[b - i] = true;
+                    ++walls;
+                }
+        i = j;
+    }
+    return walls;
+}
+
+} // namespace
+
+MeshFacts facts(const Mesh& mesh)
+{
+    MeshFacts r;
+    r.counts = mesh.counts();
+    const Components parts = components(mesh);
+    r.components = static_cast<std::uint32_t>(parts.parts.size());
+    for (const auto& part : parts.parts) r.component_genus.push_back((2 - part.euler - part.boundary_loops) / 2);
+    r.genus = std::accumulate(r.component_genus.begin(), r.component_genus.end(), std::int64_t(0));
+    r.euler = euler_characteristic(mesh);
+    r.boundary_edges = boundary_edge_count(mesh);
+    r.bounds = bounds(mesh);
+    r.volume = volume(mesh);
+    for (const Face f : mesh.faces()) {
+        const int n = mesh.valence(f);
+        r.corners += static_cast<std::uint32_t>(n);
+        ++r.sides[n];
+        ++r.groups[mesh.group(f)];
+        if (n == 1 && !mesh.edge(mesh.corner(f)).valid()) continue;
+        r.area += area(mesh, f);
+        r.max_nonplanarity = std::max(r.max_nonplanarity, nonplanarity(mesh, f));
+    }
+    for (const Vertex v : mesh.vertices()) {
+        ++r.valences[mesh.valence(v)];
+        if (mesh.is_point_sphere(v)) ++r.point_spheres;
+    }
+    double sum = 0.0;
+    if (mesh.edge_count() > 0) r.shortest_edge = std::numeric_limits<double>::infinity();
+    for (const Edge e : mesh.edges()) {
+        const double l = length(mesh, e);
+        r.shortest_edge = std::min(r.shortest_edge, l);
+        r.longest_edge = std::max(r.longest_edge, l);
+        sum += l;
+    }
+    r.mean_edge = mesh.edge_count() > 0 ? sum / mesh.edge_count() : 0.0;
+    r.parallel_edges = count_parallel_edges(mesh);
+    r.zero_thickness_walls = count_zero_thickness_walls(mesh);
+    return r;
+}
+
+} // namespace druse
