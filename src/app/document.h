@@ -1,0 +1,68 @@
+#pragma once
+
+#include "app/command.h"
+#include "app/history.h"
+#include "geom/progress.h"
+#include "ops/registry.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace druse {
+
+/// A scene, its history, and the one door through which it changes.
+///
+/// apply() may run on a worker thread; meanwhile no other function of the document may be called. Whoever shows the document
+/// keeps what it needs to draw beside it and asks version() afterwards.
+class Document {
+public:
+    explicit Document(const Registry& registry);
+
+    /// What a command had to say when it succeeded.
+    struct Outcome {
+        std::string text;               // the command in canonical form
+        std::vector<std::string> notes; // without `note:`
+        std::string output;             // of a query: one JSON object
+        bool failed = false;            // of a query with strict=true
+    };
+
+    /// Parses, validates, runs, compacts, checks and commits one command.
+    ///
+    /// If anything is thrown the document is as it was, bit for bit: CommandError (its text begins with the operator's name),
+    /// InputError from files, Cancelled, InternalError, std::bad_alloc. File parameters are relative to `folder`.
+    Outcome apply(std::string_view command, Progress& progress, const std::filesystem::path& folder = {});
+    Outcome apply(std::string_view command);
+
+    /// Takes the last step back and runs this command in its place, as dragging a slider after a click does. If it throws, the last
+    /// step stands again. Precondition: the present state is the end of the history, and it has a step.
+    Outcome apply_again(std::string_view command, Progress& progress, const std::filesystem::path& folder = {});
+
+    /// Makes a file the beginning, as `druse apply IN` and File > Open do: step 0, which undo does not pass. A `.druse` file is
+    /// run as a script from an empty document.
+    Outcome open(const std::filesystem::path& file, Progress& progress);
+
+    const Scene& scene() const { return scene_; }
+    const History& history() const { return history_; }
+    History& history() { return history_; } // for its budget
+    const Registry& registry() const { return registry_; }
+
+    /// Grows with every change of the scene.
+    std::uint64_t version() const { return version_; }
+
+    /// The history as a script; file parameters are written relative to `folder`. @throws CommandError if its first steps are gone
+    std::string script(const std::filesystem::path& folder) const;
+
+private:
+    Outcome run(const Invocation& call, Progress& progress, const std::filesystem::path& folder);
+    Outcome travel(const Invocation& call);
+
+    const Registry& registry_;
+    Scene scene_;
+    History history_;
+    std::uint64_t version_ = 0;
+};
+
+} // namespace druse

@@ -1,0 +1,159 @@
+#pragma once
+
+#include "dlfl/errors.h"
+#include "geom/progress.h"
+#include "ops/parameter.h"
+#include "ops/scene.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace druse {
+
+/// What an operator gets beside the scene and its parameters, and what it says.
+struct Context {
+    Progress& progress;
+    std::filesystem::path folder;   // what file parameters are relative to
+    std::vector<std::string> notes; // one line each, without `note:`
+    std::string output;             // of a query: one JSON object
+    bool failed = false;            // of a query: something it looked for is wrong (exit 2 with strict=true)
+
+    void note(std::string line) { notes.push_back(std::move(line)); }
+};
+
+/// One entry of the registry: everything that menus, panels, the command line, scripts, history and the reference page know.
+struct Operator {
+    enum class Kind {
+        edit,  // changes the scene: one step of the history
+        query, // changes nothing, prints one JSON object
+        travel // goes along the history (document.undo, redo, goto)
+    };
+
+    std::string name; // family.word_word
+    std::string help; // one line
+    std::string source, example;
+    std::vector<std::string> aliases;
+    Kind kind = Kind::edit;
+    std::vector<Parameter> parameters;
+    std::vector<std::vector<std::string>> exclusive; // exactly one of each set is given
+
+    std::function<std::shared_ptr<void>()> make;                       // parameters with their defaults
+    std::function<void(Scene&, const void*, Context&)> run;            // throws CommandError; Document::apply puts the scene back
+
+    std::string family() const { return name.substr(0, name.find('.')); }
+    std::string title() const; // `Truncated cube` for family.truncated_cube
+    const Parameter* find(std::string_view parameter) const;
+};
+
+/// The typed way to an Operator: what `define` returns. P is a struct whose initialisers are the defaults.
+template <class P>
+class Definition {
+public:
+    Definition(std::string name, std::string help)
+    {
+        operator_.name = std::move(name);
+        operator_.help = std::move(help);
+        operator_.make = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };
+    }
+
+    /// A number, integer or list of them, with unit and range.
+    template <class T>
+    Definition& param(T P::*member, std::string name, Unit unit, Range range, std::string help)
+    {
+        return add(make_parameter(member, std::move(name), std::move(help), Domain{unit, range, {}, {}}));
+    }
+    /// A list with a range for its length (of numbers, or of anything else).
+    template <class T>
+    Definition& param(T P::*member, std::string name, Unit unit, Range range, Range length, std::string help)
+    {
+        return add(make_parameter(member, std::move(name), std::move(help), Domain{unit, range, length, {}}));
+    }
+    /// One of a set of words: an enum with its values in order, or words beside another type.
+    template <class T>
+    Definition& param(T P::*member, std::string name, Words words, std::string help)
+    {
+        return add(make_parameter(member, std::move(name), std::move(help), Domain{Unit::none, {}, {}, std::move(words.list)}));
+    }
+    template <class T>
+    Definition& param(T P::*member, std::string name, Unit unit, Range range, Words words, std::string help)
+    {
+        return add(make_parameter(member, std::move(name), std::move(help), Domain{unit, range, {}, std::move(words.list)}));
+    }
+    /// A switch, selector, id, point, colour, text or file.
+    template <class T>
+    Definition& param(T P::*member, std::string name, std::string help)
+    {
+        return add(make_parameter(member, std::move(name), std::move(help), Domain{}));
+    }
+
+    /// The parameter added last has no default and must be given.
+    Definition& required()
+    {
+        operator_.parameters.back().required = true;
+        operator_.parameters.back().default_text.clear();
+        return *this;
+    }
+    /// Exactly one of these parameters is given.
+    Definition& exactly_one(std::vector<std::string> names)
+    {
+        operator_.exclusive.push_back(std::move(names));
+        return *this;
+    }
+    Definition& alias(std::string name)
+    {
+        operator_.aliases.push_back(std::move(name));
+        return *this;
+    }
+    Definition& example(std::string command)
+    {
+        operator_.example = std::move(command);
+        return *this;
+    }
+    Definition& cites(std::string source)
+    {
+        operator_.source = std::move(source);
+        return *this;
+    }
+    Definition& query()
+    {
+        operator_.kind = Operator::Kind::query;
+        return *this;
+    }
+    Definition& travel()
+    {
+        operator_.kind = Operator::Kind::travel;
+        return *this;
+    }
+    Definition& run(std::function<void(Scene&, const P&, Context&)> function)
+    {
+        operator_.run = [function = std::move(function)](Scene& scene, const void* p, Context& context) {
+            function(scene, *static_cast<const P*>(p), context);
+        };
+        return *this;
+    }
+
+    operator Operator() const { return operator_; }
+
+private:
+    Definition& add(Parameter parameter)
+    {
+        operator_.parameters.push_back(std::move(parameter));
+        return *this;
+    }
+    Operator operator_;
+};
+
+template <class P>
+Definition<P> define(std::string name, std::string help)
+{
+    return Definition<P>(std::move(name), std::move(help));
+}
+
+/// A base for operators without parameters.
+struct NoParameters {};
+
+} // namespace druse

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "dlfl/group_table.h"
+#include "dlfl/mesh.h"
+#include "geom/graph.h"
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace druse {
+
+/// A value that copies share until one of them is edited; so a history step that does not touch it costs a pointer.
+template <class T>
+class Shared {
+public:
+    Shared() : value_(std::make_shared<const T>()) {}
+    Shared(T value) : value_(std::make_shared<const T>(std::move(value))) {}
+
+    const T& operator*() const { return *value_; }
+    const T* operator->() const { return value_.get(); }
+    /// The value for writing; other copies keep what they had.
+    T& edit()
+    {
+        auto own = std::make_shared<T>(*value_);
+        T& result = *own;
+        value_ = std::move(own);
+        return result;
+    }
+    bool same_as(const Shared& other) const { return value_ == other.value_; }
+
+private:
+    std::shared_ptr<const T> value_;
+};
+
+/// What is selected: three lists, each ascending and without repeats.
+struct Selection {
+    std::vector<Face> faces;
+    std::vector<Edge> edges;
+    std::vector<Vertex> vertices;
+
+    friend bool operator==(const Selection&, const Selection&) = default;
+};
+
+/// What operators make a mesh from, edited by its own family. A document holds at most one.
+using Source = std::variant<std::monostate, Graph>;
+
+/// What an operator may change: one mesh, its groups, what is selected, and at most one source.
+struct Scene {
+    Mesh mesh;
+    Shared<GroupTable> groups;
+    Shared<Selection> selection;
+    Shared<Source> source;
+};
+
+} // namespace druse
