@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -24,9 +25,10 @@ struct ColumnChange {
     std::vector<T> contents;          // page after page, each full but perhaps the last
     std::vector<T> tail;              // elements common … size of the other state
 
+    /// Memory held, in bytes.
     std::size_t bytes() const
     {
-        return whole ? std::size_t(size) * sizeof(T) : pages.size() * sizeof(std::uint32_t) + (contents.size() + tail.size()) * sizeof(T);
+        return block.capacity() + pages.capacity() * sizeof(std::uint32_t) + (contents.capacity() + tail.capacity()) * sizeof(T);
     }
 };
 
@@ -44,9 +46,12 @@ public:
 
     Column() = default;
     Column(Column&& other) noexcept { take(other); }
+    /// Inside a recording an assignment is a change like any other.
     Column& operator=(Column&& other) noexcept
     {
-        if (this != &other) take(other);
+        if (this == &other) return *this;
+        if (recording_) replace(std::move(other));
+        else take(other);
         return *this;
     }
     Column(const Column& other) { assign(other); }
@@ -74,9 +79,9 @@ public:
         return data() + first;
     }
 
-    void push_back(const T& value)
+    void push_back(T value) // a copy: it may come from this column, which may move
     {
-        if (size_ == limit_) grow(size_ + 1);
+        if (size_ == limit_) grow(std::uint64_t(size_) + 1);
         data()[size_++] = value;
     }
 
@@ -86,15 +91,22 @@ public:
         measure();
     }
 
-    /// Adds `count` elements whose values are not set yet, and returns the first of them.
+    /// Memory past the end for `count` more elements; extend() takes them over as they were written.
+    T* room(std::uint32_t count)
+    {
+        if (count > limit_ - size_) grow(std::uint64_t(size_) + count);
+        return data() + size_;
+    }
+
+    /// Adds `count` elements with the values written to room(), or else not set yet, and returns the first of them.
     T* extend(std::uint32_t count)
     {
-        if (count > limit_ - size_) grow(size_ + count);
-        T* first = data() + size_;
+        T* first = room(count);
         size_ += count;
         return first;
     }
 
+    /// Precondition: count ≤ size().
     void truncate(std::uint32_t count)
     {
         if (recording_ && count < known_)
@@ -104,22 +116,33 @@ public:
 
     void begin_change()
     {
-        recording_ = true;
+        kept_.assign((std::size_t(size_) + page_size - 1) >> page_bits, false);
         change_ = {};
         change_.size = known_ = size_;
-        kept_.assign((std::size_t(size_) + page_size - 1) >> page_bits, false);
+        recording_ = true;
     }
+
+    bool is_recording() const { return recording_; }
 
     /// Ends the recording; the result holds what the column was at begin_change().
     ColumnChange<T> end_change()
     {
-        recording_ = false;
         if (!change_.whole) {
             change_.common = std::min(known_, size_);
             if (size_ < known_) cut_tail();
         }
+        recording_ = false;
         kept_.clear();
         return std::exchange(change_, {});
+    }
+
+    /// Ends the recording and puts back what the column was at begin_change(). Needs no memory, so it works when there is none left.
+    void roll_back() noexcept
+    {
+        put_back();
+        recording_ = false;
+        kept_.clear();
+        change_ = {};
     }
 
     /// Changes places with the other state; `change` then holds this one.
@@ -148,13 +171,11 @@ public:
     }
 
     /// Puts the elements of `other` in place of all; inside a recording the old block is kept as it was at its beginning.
-    void replace(Column&& other)
+    void replace(Column&& other) noexcept
     {
         if (recording_ && !change_.whole) {
-            change_.common = std::min(known_, size_);
-            if (size_ < known_) cut_tail();
-            ColumnChange<T> pages = std::exchange(change_, {});
-            exchange(pages);
+            put_back();
+            change_ = {};
             change_.whole = true;
             change_.block = std::move(block_);
             change_.size = known_;
@@ -175,12 +196,14 @@ public:
 private:
     T* data() { return reinterpret_cast<T*>(block_.data()); }
     const T* data() const { return reinterpret_cast<const T*>(block_.data()); }
-    void measure() { limit_ = static_cast<std::uint32_t>(std::min<std::size_t>(block_.capacity() / sizeof(T), 0xfffffffeu)); }
+    static constexpr std::uint64_t most = 0xfffffffe; // indices stay below Handle::none
+    void measure() { limit_ = static_cast<std::uint32_t>(std::min<std::uint64_t>(block_.capacity() / sizeof(T), most)); }
 
-    void grow(std::uint32_t least)
+    void grow(std::uint64_t least)
     {
-        const std::size_t more = std::size_t(size_) + size_ / 2 + 16;
-        reserve(static_cast<std::uint32_t>(std::min<std::size_t>(std::max<std::size_t>(least, more), 0xfffffffeu)));
+        if (least > most) throw std::bad_alloc();
+        const std::uint64_t more = std::uint64_t(size_) + size_ / 2 + 16;
+        reserve(static_cast<std::uint32_t>(std::min(std::max(least, more), most)));
     }
 
     void take(Column& other)
@@ -203,11 +226,34 @@ private:
     void keep(std::uint32_t page)
     {
         if (page >= kept_.size() || kept_[page]) return;
-        kept_[page] = true;
         const std::uint32_t first = page << page_bits;
-        const std::uint32_t last = std::min(first + page_size, known_);
+        const std::uint32_t count = std::min(page_size, known_ - first);
         change_.pages.push_back(page);
-        change_.contents.insert(change_.contents.end(), data() + first, data() + last);
+        try {
+            change_.contents.insert(change_.contents.end(), data() + first, data() + first + count);
+        } catch (...) {
+            change_.pages.pop_back(); // out of memory: roll_back() must still find a copy for each page
+            throw;
+        }
+        kept_[page] = true;
+    }
+
+    /// Makes the elements what they were at begin_change(); what was kept of them is used up.
+    void put_back() noexcept
+    {
+        if (change_.whole) {
+            std::swap(block_, change_.block);
+            measure();
+        } else {
+            const T* from = change_.contents.data();
+            for (const std::uint32_t page : change_.pages) {
+                const std::uint32_t first = page << page_bits;
+                const std::uint32_t count = std::min(page_size, known_ - first);
+                std::copy_n(from, count, data() + first);
+                from += count;
+            }
+        }
+        size_ = known_;
     }
 
     // The column became shorter: what lay past its new end moves from the kept pages to the tail.

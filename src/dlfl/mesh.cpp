@@ -159,6 +159,12 @@ void Mesh::replace_edge_corner(Edge e, Corner from, Corner to)
 
 // --- bulk -------------------------------------------------------------------------------------------------------------------
 
+std::span<Point> Mesh::vertex_room(std::size_t count)
+{
+    if (count + vertex_limit() > Face::boundary_bit - 1) throw CommandError("the result would have more than 2^31 elements of a kind");
+    return {vertex_position_.room(static_cast<std::uint32_t>(count)), count};
+}
+
 std::uint32_t Mesh::replace_face(Face f, const Patch& patch)
 {
     const Patch* one = &patch;
@@ -216,9 +222,14 @@ void Mesh::replace_in_order(std::span<const Face> faces, std::span<const Patch* 
         const Patch& patch = *patch_of[which];
         const auto n = static_cast<std::uint32_t>(patch.ring_);
         ring.resize(n);
+        ASSERT(is_alive(face), "faces that are there");
         Corner walk = corner(face);
-        for (std::uint32_t i = 0; i < n; ++i, walk = next(walk)) ring[i] = walk;
-        ASSERT(walk == ring[0], "a patch with as many ring corners as the face");
+        ring[0] = walk;
+        for (std::uint32_t i = 1; i < n; ++i) {
+            ring[i] = walk = next(walk);
+            ASSERT(walk != ring[0], "a patch with as many ring corners as the face");
+        }
+        ASSERT(next(walk) == ring[0], "a patch with as many ring corners as the face");
 
         const std::uint32_t corner0 = first_corner + c, vertex0 = first_vertex + v, edge0 = first_edge + e, face0 = first_face + f;
         const auto corners = static_cast<std::uint32_t>(patch.vertex_.size());
@@ -341,24 +352,7 @@ Renumbering Mesh::compact()
     return result;
 }
 
-void Mesh::replace_with(Mesh&& other)
-{
-    corner_vertex_.replace(std::move(other.corner_vertex_));
-    corner_next_.replace(std::move(other.corner_next_));
-    corner_previous_.replace(std::move(other.corner_previous_));
-    corner_face_.replace(std::move(other.corner_face_));
-    corner_edge_.replace(std::move(other.corner_edge_));
-    edge_corners_.replace(std::move(other.edge_corners_));
-    face_corner_.replace(std::move(other.face_corner_));
-    face_group_.replace(std::move(other.face_group_));
-    boundary_corner_.replace(std::move(other.boundary_corner_));
-    vertex_position_.replace(std::move(other.vertex_position_));
-    vertex_corner_.replace(std::move(other.vertex_corner_));
-    free_vertices_ = std::move(other.free_vertices_);
-    free_edges_ = std::move(other.free_edges_);
-    free_faces_ = std::move(other.free_faces_);
-    free_corners_ = std::move(other.free_corners_);
-}
+void Mesh::replace_with(Mesh&& other) { *this = std::move(other); }
 
 namespace {
 
@@ -377,6 +371,7 @@ void Mesh::append(const Mesh& other)
     ASSERT(!has_holes() && !other.has_holes(), "no holes when meshes are joined");
     const std::uint32_t v0 = vertex_limit(), e0 = edge_limit(), f0 = face_limit(), c0 = corner_limit(), b0 = boundary_count();
     constexpr std::uint64_t most = Face::boundary_bit - 1;
+    // There are at least as many corners as faces, and twice as many as edges.
     if (std::uint64_t(v0) + other.vertex_limit() > most || std::uint64_t(c0) + other.corner_limit() > most)
         throw CommandError("the result would have more than 2^31 elements of a kind");
     const auto corner = [c0](Corner c) { return Corner(c.index + c0); };
@@ -399,16 +394,15 @@ void Mesh::append(const Mesh& other)
 
 void Mesh::begin_change()
 {
-    ASSERT(!recording_, "one change recorded at a time");
+    ASSERT(!is_recording(), "one change recorded at a time");
     ASSERT(!has_holes(), "no holes when a change begins");
-    recording_ = true;
     for_each_column([](auto& column, auto) { column.begin_change(); });
 }
 
 MeshChange Mesh::end_change()
 {
-    ASSERT(recording_, "a change being recorded");
-    recording_ = false;
+    ASSERT(is_recording(), "a change being recorded");
+    ASSERT(!has_holes(), "no holes when a change ends");
     MeshChange change;
     for_each_column([&change](auto& column, auto member) { change.*member = column.end_change(); });
     return change;
@@ -416,17 +410,18 @@ MeshChange Mesh::end_change()
 
 void Mesh::exchange(MeshChange& change)
 {
+    ASSERT(!is_recording() && !has_holes(), "no change being recorded, and no holes, when going back or forth");
     for_each_column([&change](auto& column, auto member) { column.exchange(change.*member); });
 }
 
 void Mesh::roll_back()
 {
+    ASSERT(is_recording(), "a change being recorded");
     free_vertices_.clear();
     free_edges_.clear();
     free_faces_.clear();
     free_corners_.clear();
-    MeshChange change = end_change();
-    exchange(change);
+    for_each_column([](auto& column, auto) { column.roll_back(); });
 }
 
 namespace {

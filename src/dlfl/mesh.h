@@ -147,6 +147,8 @@ public:
     std::span<const std::int32_t> groups() const { return face_group_.view(); }
     std::span<Point> write_positions() { return {vertex_position_.write(0, vertex_position_.size()), vertex_position_.size()}; }
     std::span<std::int32_t> write_groups() { return {face_group_.write(0, face_group_.size()), face_group_.size()}; }
+    /// The groups of faces first … first + count − 1.
+    std::int32_t* write_groups(std::uint32_t first, std::uint32_t count) { return face_group_.write(first, count); }
     int largest_group() const; // 0 if no face is grouped
 
     // --- the four minimal operators (Akleman, Chen & Srinivasan 2003) ---------------------------------------------------
@@ -178,12 +180,16 @@ public:
     /// Puts a disc of polygons in place of each face: see Patch.
     ///
     /// The first polygon of a patch keeps the id of its face; vertices, edges and the other faces are appended, face after face,
-    /// in the patch's order. New faces have the group of the old one, new vertices no position yet: the caller writes them.
+    /// in the patch's order. New faces have the group of the old one, new vertices the positions written to vertex_room().
     /// `patch_of` gives the connected patch for a face; all are borrowed until the call returns.
-    /// Precondition: the faces differ from each other, none is a boundary face, and the mesh has no holes.
+    /// Preconditions: the faces are alive and differ from each other, and the mesh has no holes.
     /// Cost: linear in what is made; nothing is searched.
     /// @return the index of the first new vertex; the others follow it
     std::uint32_t replace_faces(std::span<const Face> faces, std::span<const Patch* const> patch_of);
+
+    /// Memory for the positions of the next `count` vertices, which replace_faces() is going to make: written first, so that a
+    /// kernel can fail before anything has changed. Valid until the mesh changes.
+    std::span<Point> vertex_room(std::size_t count);
 
     /// replace_faces for a single face.
     std::uint32_t replace_face(Face f, const Patch& patch);
@@ -191,7 +197,7 @@ public:
     /// Closes the holes that deleted elements left; the order of what stays is kept. Cost: O(mesh) if there are holes, else O(1).
     Renumbering compact();
 
-    /// Takes all elements of `other`; unlike an assignment this is part of the change being recorded.
+    /// Takes all elements of `other`, as a moving assignment does; both are part of a change being recorded.
     void replace_with(Mesh&& other);
 
     /// Adds the elements of `other` after the own ones, as further components. Precondition: neither has holes.
@@ -207,8 +213,10 @@ public:
     MeshChange end_change();
     /// Changes places with the state at begin_change(); `change` then leads back to this one.
     void exchange(MeshChange& change);
-    /// Ends the recording and puts everything back.
+    /// Ends the recording and puts everything back, holes or not. Never fails. Precondition: a change is being recorded.
     void roll_back();
+    /// A copy of a mesh records nothing, whatever the mesh does.
+    bool is_recording() const { return corner_vertex_.is_recording(); }
 
     /// True if every column holds the same values, index by index.
     friend bool operator==(const Mesh& a, const Mesh& b);
@@ -219,6 +227,7 @@ public:
 private:
     friend class MeshBuilder;
     friend class MeshChecker;
+    friend struct MeshTestAccess; // tests break a mesh through it, to see that check() notices
 
     using Holes = std::vector<std::uint32_t>; // a heap, least first
     static std::uint32_t holes(const Holes& h) { return static_cast<std::uint32_t>(h.size()); }
@@ -277,7 +286,6 @@ private:
     Column<Corner> vertex_corner_;
 
     Holes free_vertices_, free_edges_, free_faces_, free_corners_;
-    bool recording_ = false;
 };
 
 // --- ranges ---------------------------------------------------------------------------------------------------------------

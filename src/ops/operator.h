@@ -38,6 +38,7 @@ struct Operator {
     std::string source, example;
     std::vector<std::string> aliases;
     Kind kind = Kind::edit;
+    bool keeps_euler = false; // promises that V − E + F stays what it was
     std::vector<Parameter> parameters;
     std::vector<std::vector<std::string>> exclusive; // exactly one of each set is given
 
@@ -49,7 +50,7 @@ struct Operator {
     const Parameter* find(std::string_view parameter) const;
 };
 
-/// The typed way to an Operator: what `define` returns. P is a struct whose initialisers are the defaults.
+/// The typed way to an Operator: what `define` returns. P is a struct whose initialisers are the defaults; B below is P or a base of it.
 template <class P>
 class Definition {
 public:
@@ -61,33 +62,33 @@ public:
     }
 
     /// A number, integer or list of them, with unit and range.
-    template <class T>
-    Definition& param(T P::*member, std::string name, Unit unit, Range range, std::string help)
+    template <class T, class B>
+    Definition& param(T B::*member, std::string name, Unit unit, Range range, std::string help)
     {
-        return add(make_parameter(member, std::move(name), std::move(help), Domain{unit, range, {}, {}}));
+        return add(make_parameter<P, T>(member, std::move(name), std::move(help), Domain{unit, range, {}, {}}));
     }
     /// A list with a range for its length (of numbers, or of anything else).
-    template <class T>
-    Definition& param(T P::*member, std::string name, Unit unit, Range range, Range length, std::string help)
+    template <class T, class B>
+    Definition& param(T B::*member, std::string name, Unit unit, Range range, Range length, std::string help)
     {
-        return add(make_parameter(member, std::move(name), std::move(help), Domain{unit, range, length, {}}));
+        return add(make_parameter<P, T>(member, std::move(name), std::move(help), Domain{unit, range, length, {}}));
     }
     /// One of a set of words: an enum with its values in order, or words beside another type.
-    template <class T>
-    Definition& param(T P::*member, std::string name, Words words, std::string help)
+    template <class T, class B>
+    Definition& param(T B::*member, std::string name, Words words, std::string help)
     {
-        return add(make_parameter(member, std::move(name), std::move(help), Domain{Unit::none, {}, {}, std::move(words.list)}));
+        return add(make_parameter<P, T>(member, std::move(name), std::move(help), Domain{Unit::none, {}, {}, std::move(words.list)}));
     }
-    template <class T>
-    Definition& param(T P::*member, std::string name, Unit unit, Range range, Words words, std::string help)
+    template <class T, class B>
+    Definition& param(T B::*member, std::string name, Unit unit, Range range, Words words, std::string help)
     {
-        return add(make_parameter(member, std::move(name), std::move(help), Domain{unit, range, {}, std::move(words.list)}));
+        return add(make_parameter<P, T>(member, std::move(name), std::move(help), Domain{unit, range, {}, std::move(words.list)}));
     }
     /// A switch, selector, id, point, colour, text or file.
-    template <class T>
-    Definition& param(T P::*member, std::string name, std::string help)
+    template <class T, class B>
+    Definition& param(T B::*member, std::string name, std::string help)
     {
-        return add(make_parameter(member, std::move(name), std::move(help), Domain{}));
+        return add(make_parameter<P, T>(member, std::move(name), std::move(help), Domain{}));
     }
 
     /// The parameter added last has no default and must be given.
@@ -116,6 +117,11 @@ public:
     Definition& cites(std::string source)
     {
         operator_.source = std::move(source);
+        return *this;
+    }
+    Definition& keeps_euler()
+    {
+        operator_.keeps_euler = true;
         return *this;
     }
     Definition& query()

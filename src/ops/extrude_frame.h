@@ -1,0 +1,60 @@
+#pragma once
+
+#include "dlfl/mesh.h"
+#include "geom/cycle.h"
+
+#include <span>
+#include <vector>
+
+namespace druse {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
+
+/// Everything a tiered extrusion measures at its base face, corner by corner from the start corner.
+///
+/// The *walls* are the planes over the base edges that meet the base at the interior dihedral angle. All directions are of
+/// length 1; distances along them are heights times `edge`.
+struct BaseFrame {
+    int n = 0;
+    Vector normal{0.0};            // Newell, outward
+    double edge = 0.0;             // mean length of the base edges
+    double angle = 0.0;            // interior dihedral angle between base and walls, radians
+    Cycle<const Point> foot;       // the base corners
+    Cycle<const Vector> along;     // base edge i, from corner i to corner i + 1
+    Cycle<const Vector> outward;   // in the base plane, square to edge i
+    Cycle<const Vector> climb;     // up wall i, square to edge i
+    Cycle<const Vector> wall;      // outward normal of wall i
+
+    Point middle(int i) const { return 0.5 * (foot[i] + foot[i + 1]); }
+    /// Up the line that walls i − 1 and i share; defined at convex, straight and reflex corners alike.
+    Vector crest(int i) const;
+    /// Up the line in which two planes with these unit normals meet, gliding to the mean steepest direction where that line is
+    /// nearly level (it rises by less than 8.6°), so that it never fails and never jumps.
+    Vector meet(const Vector& a, const Vector& b) const;
+};
+
+/// The neighbour of a face with outward normal `normal` across its side p → q, at an interior dihedral angle.
+struct Hinge {
+    Vector away;   // leaves the side square to it, within the neighbour
+    Vector normal; // of the neighbour, outward
+
+    Hinge(const Point& p, const Point& q, const Vector& normal, double angle);
+};
+
+/// Measures one base face after the other into memory of its own.
+class FrameMaker {
+public:
+    explicit FrameMaker(double angle_in_degrees);
+
+    /// The frame over these corners, valid until the next call.
+    /// @throws CommandError `face ID: has 2 corners`, `has no area`, `edge I has no length`, and with `mitred` `folds back at corner I`
+    const BaseFrame& measure(const Mesh& mesh, Face face, std::span<const Corner> ring, bool mitred);
+
+private:
+    double sine_, cosine_;
+    BaseFrame frame_;
+    std::vector<Vector> values_;
+};
+
+} // namespace druse
