@@ -1,0 +1,135 @@
+#include "io/face_colours.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace druse {
+
+namespace {
+
+void keep_colour(GroupTable& groups, int id, Colour c)
+{
+    if (c != GroupTable::default_colour(id)) groups.set_colour(id, c);
+}
+
+} // namespace
+
+int ColourNumbers::number(Colour c)
+{
+    const std::uint32_t key = 1u + (std::uint32_t(c.red) << 16 | std::uint32_t(c.green) << 8 | c.blue);
+    const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
+    std::uint32_t at = (key * 2654435761u >> 7) & mask; // Knuth's multiplicative hashing
+    while (slots_[at].key != key) {
+        if (slots_[at].key == 0) {
+            colours_.push_back(c);
+            slots_[at] = {key, static_cast<std::int32_t>(colours_.size())};
+            const int n = slots_[at].number;
+            if (2 * colours_.size() > slots_.size()) grow();
+            return n;
+        }
+        at = (at + 1) & mask;
+    }
+    return slots_[at].number;
+}
+
+void ColourNumbers::grow()
+{
+    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(4 * slots_.size()));
+    const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
+    for (const Slot& slot : old) {
+        if (slot.key == 0) continue;
+        std::uint32_t at = (slot.key * 2654435761u >> 7) & mask;
+        while (slots_[at].key != 0) at = (at + 1) & mask;
+        slots_[at] = slot;
+    }
+}
+
+std::int32_t FacePaints::material(std::string_view name)
+{
+    if (name.empty()) return 0;
+    const auto found = by_name_.find(name);
+    if (found != by_name_.end()) return found->second;
+    const auto paint = static_cast<std::int32_t>(paints_.size());
+    paints_.push_back({false, std::string(name), {}});
+    by_name_.emplace(name, paint);
+    return paint;
+}
+
+std::int32_t FacePaints::colour(Colour c)
+{
+    const auto n = static_cast<std::size_t>(by_colour_.number(c));
+    if (n > of_colour_.size()) {
+        of_colour_.push_back(static_cast<std::int32_t>(paints_.size()));
+        paints_.push_back({true, "", c});
+    }
+    return of_colour_[n - 1];
+}
+
+bool FacePaints::named_as_groups(const std::vector<bool>& used) const
+{
+    for (std::size_t paint = 1; paint < paints_.size(); ++paint)
+        if (used[paint] && (paints_[paint].is_colour || !group_of_material(paints_[paint].material))) return false;
+    return true;
+}
+
+bool FacePaints::to_groups(std::span<std::int32_t> faces, const Materials& materials, GroupTable& groups) const
+{
+    if (paints_.size() == 1) return false;
+    std::vector<bool> used(paints_.size(), false);
+    for (const std::int32_t paint : faces) used[static_cast<std::size_t>(paint)] = true;
+    if (std::find(used.begin() + 1, used.end(), true) == used.end()) return false;
+
+    std::vector<std::int32_t> group_of_paint(paints_.size(), -1);
+    group_of_paint[0] = 0;
+    if (named_as_groups(used)) {
+        for (std::size_t paint = 1; paint < paints_.size(); ++paint) {
+            if (!used[paint]) continue;
+            const int id = *group_of_material(paints_[paint].material);
+            group_of_paint[paint] = id;
+            const Material* material = materials.find(paints_[paint].material);
+            if (material && material->colour) keep_colour(groups, id, *material->colour);
+            if (material && !material->group_name.empty()) groups.set_name(id, material->group_name);
+        }
+    } else {
+        int last = 0;
+        ColourNumbers colours;
+        std::vector<std::int32_t> group_of_colour;
+        for (const std::int32_t face_paint : faces) {
+            const auto paint = static_cast<std::size_t>(face_paint);
+            if (group_of_paint[paint] >= 0) continue;
+            const Material* material = paints_[paint].is_colour ? nullptr : materials.find(paints_[paint].material);
+            if (!paints_[paint].is_colour && !(material && material->colour)) {
+                group_of_paint[paint] = ++last; // known by its name only
+                continue;
+            }
+            const Colour colour = paints_[paint].is_colour ? paints_[paint].colour : *material->colour;
+            const auto n = static_cast<std::size_t>(colours.number(colour));
+            if (n > group_of_colour.size()) {
+                group_of_colour.push_back(++last);
+                keep_colour(groups, last, colour);
+            }
+            group_of_paint[paint] = group_of_colour[n - 1];
+        }
+    }
+    for (std::int32_t& face : faces) face = group_of_paint[static_cast<std::size_t>(face)];
+    return true;
+}
+
+void groups_from_vertex_colours(std::span<const Vertex> corners, std::span<const std::uint32_t> ends, std::span<const Vector> colours,
+                                std::span<std::int32_t> faces, GroupTable& groups)
+{
+    const auto channel = [](double x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0, 1.0) * 255.0 + 0.5); };
+    ColourNumbers numbers;
+    std::uint32_t begin = 0;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        Vector sum(0.0);
+        for (std::uint32_t c = begin; c < ends[f]; ++c) sum += colours[corners[c].index];
+        const Vector mean = sum / double(ends[f] - begin);
+        faces[f] = std::isnan(mean.x) ? 0 : numbers.number({channel(mean.x), channel(mean.y), channel(mean.z)});
+        begin = ends[f];
+    }
+    int id = 0;
+    for (const Colour c : numbers.colours()) keep_colour(groups, ++id, c);
+}
+
+} // namespace druse

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "dlfl/group_table.h"
+#include "dlfl/handle.h"
+#include "dlfl/column.h"
+#include "geom/point.h"
+#include "io/materials.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace druse {
+
+/// Numbers colours 1, 2, … in the order in which they are first met.
+class ColourNumbers {
+public:
+    int number(Colour c);
+    std::span<const Colour> colours() const { return colours_; } // that of number n is at n − 1
+
+private:
+    void grow();
+
+    struct Slot {
+        std::uint32_t key = 0; // 0: free
+        std::int32_t number = 0;
+    };
+    std::vector<Slot> slots_ = std::vector<Slot>(64); // a power of two, at most half of them taken
+    std::vector<Colour> colours_;
+};
+
+/// What a file says about the colours of its faces, and the groups that follow from it.
+///
+/// While reading, each face carries the number of its *paint*: 0 for none, else a material or a colour. At the end to_groups() makes
+/// group ids of them. If all materials are called `group_<id>` they are the ids; otherwise faces of one colour are one group.
+/// Source: Landreneau 2005, IV.4, for finding common colours.
+class FacePaints {
+public:
+    std::int32_t material(std::string_view name); // an empty name: no paint
+    std::int32_t colour(Colour c);
+
+    /// Puts group ids in place of paints and the groups' colours and names into `groups`; false if no face has a paint.
+    bool to_groups(std::span<std::int32_t> faces, const Materials& materials, GroupTable& groups) const;
+
+private:
+    struct Paint {
+        bool is_colour;
+        std::string material;
+        Colour colour;
+    };
+    bool named_as_groups(const std::vector<bool>& used) const;
+
+    std::vector<Paint> paints_ = {{false, "", {}}};
+    std::unordered_map<std::string, std::int32_t, NameHash, std::equal_to<>> by_name_;
+    ColourNumbers by_colour_;
+    std::vector<std::int32_t> of_colour_; // the paint of each number of by_colour_
+};
+
+/// Groups from the colours of vertices: a face has the mean of its corners' colours, rounded to 8 bits a channel, if all of them have
+/// one (the first channel is a number). Equal colours are a group, numbered as first met.
+/// @param corners the vertices of the faces, face after face; `ends` one past the last corner of each
+void groups_from_vertex_colours(std::span<const Vertex> corners, std::span<const std::uint32_t> ends, std::span<const Vector> colours,
+                                std::span<std::int32_t> faces, GroupTable& groups);
+
+} // namespace druse

@@ -1,0 +1,50 @@
+#include "io/format.h"
+
+#include "dlfl/errors.h"
+#include "io/obj.h"
+#include "io/stl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace druse {
+
+namespace {
+
+constexpr Format all_formats[] = {
+    {"obj", "Wavefront OBJ", read_obj, write_obj},
+    {"stl", "Stereolithography", read_stl, write_stl},
+};
+
+std::string extensions()
+{
+    std::string text;
+    for (std::size_t i = 0; i < std::size(all_formats); ++i)
+        text += fmt::format("{}{}", i == 0 ? "" : i + 1 == std::size(all_formats) ? " or " : ", ", all_formats[i].extension);
+    return text;
+}
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
+
+} // namespace
+
+std::span<const Format> formats() { return all_formats; }
+
+const Format& format_named(std::string_view name, const std::string& where)
+{
+    for (const Format& format : all_formats)
+        if (std::equal(name.begin(), name.end(), format.extension.begin(), format.extension.end(),
+                       [](char a, char b) { return lower(a) == b; }))
+            return format;
+    throw InputError(where, fmt::format("unknown format '{}'; expected {}", name, extensions()));
+}
+
+const Format& format_of(const std::filesystem::path& path)
+{
+    const std::string extension = path.extension().string();
+    if (extension.size() < 2) throw InputError(path.string(), fmt::format("a name without a format; expected one that ends in {}", extensions()));
+    return format_named(std::string_view(extension).substr(1), path.string());
+}
+
+} // namespace druse

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "io/model.h"
+#include "io/output_files.h"
+
+#include <string>
+#include <vector>
+
+namespace druse {
+
+/// The ids that faces carry, in ascending order, each once; empty if no face is grouped, else with 0 if some are not.
+std::vector<int> groups_in_use(const Mesh& mesh);
+
+/// Writes the colours and names of these groups as materials into the .mtl file beside the output.
+/// @return what to put after `mtllib`; empty if there are no groups or no place for a file (then with a note)
+std::string write_group_materials(const GroupTable& groups, const std::vector<int>& used, OutputFiles& out);
+
+} // namespace druse

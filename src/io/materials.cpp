@@ -1,0 +1,113 @@
+#include "io/materials.h"
+
+#include "dlfl/errors.h"
+#include "io/scan.h"
+#include "io/text_blocks.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace druse {
+
+namespace {
+
+/// The rest of a line without the blanks around it.
+std::string_view rest_of_line(const char* p, const char* end_of_line)
+{
+    while (p != end_of_line && scan::is_blank(*p)) ++p;
+    while (end_of_line != p && scan::is_blank(end_of_line[-1])) --end_of_line;
+    return {p, static_cast<std::size_t>(end_of_line - p)};
+}
+
+bool take_word(std::string_view& line, std::string_view word)
+{
+    if (!line.starts_with(word) || (line.size() > word.size() && !scan::is_blank(line[word.size()]))) return false;
+    line.remove_prefix(word.size());
+    while (!line.empty() && scan::is_blank(line.front())) line.remove_prefix(1);
+    return true;
+}
+
+} // namespace
+
+void Materials::read_library(const ByteSource& model, std::string_view names, std::vector<std::string>& notes)
+{
+    const auto read_if_there = [&](std::string_view name) {
+        const auto path = model.find_side_file(std::string(name));
+        if (!path) return false;
+        ByteSource file = ByteSource::file(*path);
+        read(file);
+        return true;
+    };
+    if (read_if_there(names)) return;
+    const std::string_view all = names;
+    while (!names.empty()) {
+        std::size_t length = 0;
+        while (length < names.size() && !scan::is_blank(names[length])) ++length;
+        const std::string_view name = names.substr(0, length);
+        if (name.size() == all.size() || !read_if_there(name)) notes.push_back(fmt::format("{} is not there: its colours are unknown", name));
+        while (length < names.size() && scan::is_blank(names[length])) ++length;
+        names.remove_prefix(length);
+    }
+}
+
+void Materials::read(ByteSource& file)
+{
+    Material* current = nullptr;
+    long line_number = 0;
+    TextBlocks blocks(file);
+    const char *p = nullptr, *end = nullptr;
+    while (blocks.next(p, end))
+        while (p < end) {
+            ++line_number;
+            const char* line_end = p;
+            while (*line_end != '\n') ++line_end;
+            std::string_view line = rest_of_line(p, line_end);
+            p = line_end + 1;
+            if (take_word(line, "newmtl")) {
+                current = &by_name_[std::string(line)];
+                *current = {};
+            } else if (current && take_word(line, "Kd")) {
+                // `Kd r` is a grey; `Kd spectral …` and `Kd xyz …` say nothing in red, green and blue.
+                double channel[3] = {0, 0, 0};
+                const char* at = line.data();
+                if (take_word(line, "spectral") || take_word(line, "xyz")) continue;
+                for (int i = 0; i < 3; ++i) {
+                    at = scan::skip_blanks(at, line_number);
+                    if (i > 0 && *at == '\n') {
+                        channel[i] = channel[0];
+                        continue;
+                    }
+                    const char* after = scan::number(at, channel[i]);
+                    if (!after || !scan::ends_word(*after))
+                        throw InputError(file.name(), line_number, fmt::format("Kd: expected a number, found {}", scan::quoted_word(at)));
+                    at = after;
+                }
+                current->colour = colour_from_unit(channel[0], channel[1], channel[2]);
+            } else if (current && take_word(line, "#") && take_word(line, "name")) {
+                current->group_name = std::string(line.substr(0, line.find_first_of(" \t")));
+            }
+        }
+}
+
+const Material* Materials::find(std::string_view name) const
+{
+    const auto found = by_name_.find(name);
+    return found == by_name_.end() ? nullptr : &found->second;
+}
+
+std::string material_of_group(int id) { return fmt::format("group_{}", id); }
+
+std::optional<int> group_of_material(std::string_view name)
+{
+    constexpr std::string_view prefix = "group_";
+    if (!name.starts_with(prefix)) return std::nullopt;
+    name.remove_prefix(prefix.size());
+    if (name.empty() || !scan::is_digit(name[0]) || (name[0] == '0' && name.size() > 1)) return std::nullopt;
+    int id = 0;
+    const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), id);
+    if (error != std::errc() || stop != name.data() + name.size()) return std::nullopt;
+    return id;
+}
+
+} // namespace druse

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "dlfl/group_table.h"
+#include "dlfl/mesh.h"
+#include "geom/graph.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace druse {
+
+/// What a file holds: a mesh with its groups, a graph, or both.
+struct Model {
+    Mesh mesh;
+    GroupTable groups;
+    std::optional<Graph> graph;
+    std::vector<std::string> notes; // what the reader mended or left out, one line each
+};
+
+/// What a writer takes: the parts of a model or of a document, borrowed. Precondition: the mesh has no holes.
+struct ModelView {
+    const Mesh& mesh;
+    const GroupTable& groups;
+    const Graph* graph = nullptr;
+};
+
+} // namespace druse

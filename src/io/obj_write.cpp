@@ -1,0 +1,89 @@
+#include "io/obj.h"
+
+#include "dlfl/errors.h"
+#include "io/edge_splits.h"
+#include "io/group_materials.h"
+#include "io/materials.h"
+
+#include <fmt/format.h>
+
+namespace druse {
+
+namespace {
+
+void put_vertex(ByteSink& sink, const Point& p)
+{
+    sink.put("v ");
+    sink.put(p.x);
+    sink.put(' ');
+    sink.put(p.y);
+    sink.put(' ');
+    sink.put(p.z);
+    sink.put('\n');
+}
+
+void put_index(ByteSink& sink, std::uint32_t i)
+{
+    sink.put(' ');
+    sink.put(std::uint64_t(i) + 1);
+}
+
+void write_graph(const Graph& graph, ByteSink& sink)
+{
+    for (const Point& p : graph.vertices) put_vertex(sink, p);
+    for (const auto& [a, b] : graph.edges) {
+        sink.put('l');
+        put_index(sink, a);
+        put_index(sink, b);
+        sink.put('\n');
+    }
+}
+
+void write_faces(const Mesh& mesh, const EdgeSplits& splits, bool grouped, ByteSink& sink)
+{
+    int group = 0;
+    bool first = true;
+    for (const Face f : mesh.faces()) {
+        if (grouped && (first || mesh.group(f) != group)) {
+            group = mesh.group(f);
+            sink.put("usemtl " + material_of_group(group) + '\n');
+            first = false;
+        }
+        sink.put(mesh.edge(mesh.corner(f)).valid() ? 'f' : 'p');
+        for (const Corner c : mesh.corners(f)) {
+            put_index(sink, mesh.vertex(c).index);
+            splits.along(mesh, c, [&](std::uint32_t v) { put_index(sink, v); });
+        }
+        sink.put('\n');
+    }
+}
+
+} // namespace
+
+void write_obj(const ModelView& model, OutputFiles& out)
+{
+    const Mesh& mesh = model.mesh;
+    ASSERT(!mesh.has_holes(), "a mesh without holes");
+    ByteSink& sink = out.main();
+    if (mesh.face_count() == 0) {
+        if (!model.graph || model.graph->edges.empty()) throw InputError(out.name(), "the document holds no faces and no graph to write");
+        write_graph(*model.graph, sink);
+        return;
+    }
+    const EdgeSplits splits(mesh);
+    const auto note = [&](std::uint32_t count, const char* what) {
+        if (count > 0) out.note(fmt::format("{} {}{} split", count, what, count == 1 ? "" : "s"));
+    };
+    note(splits.parallel_edges(), "parallel edge");
+    note(splits.loops(), "loop");
+    note(splits.lone_edges(), "lone edge");
+
+    const std::vector<int> groups = groups_in_use(mesh);
+    const std::string library = write_group_materials(model.groups, groups, out);
+    if (!library.empty()) sink.put("mtllib " + library + '\n');
+    for (const Point& p : mesh.positions()) put_vertex(sink, p);
+    for (const Point& p : splits.added()) put_vertex(sink, p);
+    write_faces(mesh, splits, !groups.empty(), sink);
+}
+
+} // namespace druse
