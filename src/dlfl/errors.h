@@ -11,7 +11,7 @@ namespace druse {
 class InputError : public std::runtime_error {
 public:
     InputError(const std::string& file, long line, const std::string& what)
-        : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what)
+        : std::runtime_error(file + (line > 0 ? std::string(":").append(std::to_string(line)) : "") + ": " + what)
     {
     }
     InputError(const std::string& file, const std::string& what) : InputError(file, 0, what) {}

@@ -1,0 +1,201 @@
+#include "render/camera.h"
+
+#include "dlfl/errors.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace druse {
+
+namespace {
+
+constexpr double pi = 3.141592653589793;
+constexpr double margin = 0.9; // of the picture that a framed box may fill
+
+double radians(double degrees)
+{
+    return degrees * pi / 180.0;
+}
+
+/// Sine and cosine of degrees that are exact where the views along the axes need it.
+std::pair<double, double> sin_cos(double degrees)
+{
+    const double turns = std::remainder(degrees, 360.0);
+    if (turns == 0.0) return {0.0, 1.0};
+    if (turns == 90.0) return {1.0, 0.0};
+    if (turns == -90.0) return {-1.0, 0.0};
+    if (std::abs(turns) == 180.0) return {0.0, -1.0};
+    return {std::sin(radians(turns)), std::cos(radians(turns))};
+}
+
+std::optional<double> number(std::string_view text)
+{
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+} // namespace
+
+std::optional<ViewAngles> view_from_text(std::string_view text)
+{
+    static constexpr std::pair<std::string_view, ViewAngles> named[] = {
+        {"iso", {45.0, 35.264389682754654}}, // atan(1/√2): the eye on a diagonal of the cube
+        {"front", {0, 0}},
+        {"back", {180, 0}},
+        {"left", {-90, 0}},
+        {"right", {90, 0}},
+        {"top", {0, 90}},
+        {"bottom", {0, -90}},
+    };
+    for (const auto& [name, angles] : named)
+        if (text == name) return angles;
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) return std::nullopt;
+    const auto azimuth = number(text.substr(0, comma)), elevation = number(text.substr(comma + 1));
+    if (!azimuth || !elevation || std::abs(*elevation) > 90) return std::nullopt;
+    return ViewAngles{*azimuth, *elevation};
+}
+
+void Camera::resize(int width, int height)
+{
+    ASSERT(width >= 1 && height >= 1, "a picture has at least one pixel");
+    width_ = width;
+    height_ = height;
+}
+
+void Camera::set_angles(ViewAngles angles)
+{
+    angles_.azimuth = std::remainder(angles.azimuth, 360.0);
+    angles_.elevation = std::clamp(angles.elevation, -90.0, 90.0);
+}
+
+void Camera::set_distance(double distance)
+{
+    distance_ = std::clamp(distance, 1e-12, 1e12);
+}
+
+Vector Camera::right() const
+{
+    const auto [sin_az, cos_az] = sin_cos(angles_.azimuth);
+    return {cos_az, sin_az, 0.0};
+}
+
+Vector Camera::backward() const
+{
+    const auto [sin_az, cos_az] = sin_cos(angles_.azimuth);
+    const auto [sin_el, cos_el] = sin_cos(angles_.elevation);
+    return {sin_az * cos_el, -cos_az * cos_el, sin_el};
+}
+
+Vector Camera::up() const
+{
+    return glm::cross(backward(), right());
+}
+
+Point2 Camera::tangents() const
+{
+    const double half = std::tan(radians(field_of_view / 2));
+    const double shorter = std::min(width_, height_);
+    return {half * width_ / shorter, half * height_ / shorter};
+}
+
+double Camera::unit_per_pixel_at(double ahead) const
+{
+    return (parallel_ ? distance_ : ahead) * 2.0 * tangents().y / height_;
+}
+
+void Camera::fit(const Box& box)
+{
+    const bool has_size = !box.empty() && box.diagonal() > 0;
+    target_ = box.center();
+    const Vector half = has_size ? 0.5 * box.size() : Vector(0.5);
+    const Point2 tangent = tangents() * margin;
+    double least = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vector p(corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y, corner & 4 ? half.z : -half.z);
+        const double toward = parallel_ ? 0.0 : glm::dot(p, backward());
+        least = std::max(least, std::abs(glm::dot(p, right())) / tangent.x + toward);
+        least = std::max(least, std::abs(glm::dot(p, up())) / tangent.y + toward);
+    }
+    set_distance(least);
+}
+
+void Camera::orbit(double azimuth, double elevation)
+{
+    set_angles({angles_.azimuth + azimuth, angles_.elevation + elevation});
+}
+
+void Camera::pan(double dx, double dy)
+{
+    target_ += unit_per_pixel() * (dy * up() - dx * right());
+}
+
+void Camera::zoom(double factor, double x, double y)
+{
+    const double before = distance_;
+    set_distance(distance_ / factor);
+    // The place under the pointer lies so far from the target in the plane through it; that offset shrinks with the distance.
+    const double unit_before = before * 2.0 * tangents().y / height_;
+    const Vector offset = unit_before * ((x - width_ / 2.0) * right() + (height_ / 2.0 - y) * up());
+    target_ += (1.0 - distance_ / before) * offset;
+}
+
+Ray Camera::ray(double x, double y) const
+{
+    const Vector offset = unit_per_pixel() * ((x - width_ / 2.0) * right() + (height_ / 2.0 - y) * up());
+    // In a parallel view the half line starts far enough back to meet all that the picture shows.
+    if (parallel_) return {target_ + offset + 1e4 * distance_ * backward(), -backward()};
+    return {eye(), unit(offset - distance_ * backward())};
+}
+
+std::optional<Point2> Camera::project(const Point& p) const
+{
+    const Vector from_target = p - target_;
+    const double ahead = distance_ - glm::dot(from_target, backward());
+    if (!parallel_ && ahead <= 0) return std::nullopt;
+    const double unit = unit_per_pixel_at(ahead);
+    return Point2(width_ / 2.0 + glm::dot(from_target, right()) / unit, height_ / 2.0 - glm::dot(from_target, up()) / unit);
+}
+
+glm::dmat3 Camera::rotation() const
+{
+    return glm::transpose(glm::dmat3(right(), up(), backward()));
+}
+
+glm::dmat4 Camera::to_clip(const Point& origin, const Box& scene) const
+{
+    // How far the scene reaches from the eye, along the viewing direction; a little more, so that nothing lies on the planes.
+    const double radius = scene.empty() ? 1.0 : 0.505 * scene.diagonal();
+    const double middle = distance_ - glm::dot((scene.empty() ? target_ : scene.center()) - target_, backward());
+    const double far_end = std::max(middle + radius, distance_ * 1e-3);
+    // Depth is stored to 24 bits, so the near plane does not come nearer than the farthest thing over a few thousand.
+    const double near_end = parallel_ ? middle - radius - 1e-3 * distance_ : std::max(middle - radius, far_end / 4000.0);
+
+    const glm::dmat3 turn = rotation();
+    const Vector shift = turn * (origin - target_) - Vector(0.0, 0.0, distance_);
+    const Point2 tangent = tangents();
+    const double depth = std::max(far_end - near_end, 1e-9 * distance_);
+    glm::dmat4 clip(0.0);
+    if (parallel_) {
+        clip[0][0] = 1.0 / (tangent.x * distance_);
+        clip[1][1] = 1.0 / (tangent.y * distance_);
+        clip[2][2] = -2.0 / depth;
+        clip[3][2] = -(near_end + near_end + depth) / depth;
+        clip[3][3] = 1.0;
+    } else {
+        clip[0][0] = 1.0 / tangent.x;
+        clip[1][1] = 1.0 / tangent.y;
+        clip[2][2] = -(near_end + near_end + depth) / depth;
+        clip[2][3] = -1.0;
+        clip[3][2] = -2.0 * near_end * (near_end + depth) / depth;
+    }
+    glm::dmat4 view(turn);
+    view[3] = glm::dvec4(shift, 1.0);
+    return clip * view;
+}
+
+} // namespace druse

@@ -1,0 +1,487 @@
+#include "render/draw_lists.h"
+
+#include "dlfl/measures.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+namespace druse {
+
+namespace {
+
+constexpr std::uint32_t cache_reach = 256;     // triangles after which a vertex is no longer at hand in a vertex cache
+constexpr std::uint32_t copies_looked_at = 16; // when a copy to use again is searched
+constexpr std::uint32_t largest_room = 64;     // free runs up to this length are used again
+constexpr std::uint32_t slack = 4096;          // room for a few local edits before a column must grow
+
+std::uint64_t next_version()
+{
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+std::uint32_t pack(Colour c)
+{
+    return c.red | std::uint32_t(c.green) << 8 | std::uint32_t(c.blue) << 16;
+}
+
+} // namespace
+
+std::uint32_t pack_normal(const Vector& n)
+{
+    const auto field = [](double x) { return static_cast<std::uint32_t>(static_cast<int>(std::lrint(x * 511.0))) & 1023u; };
+    return field(n.x) | field(n.y) << 10 | field(n.z) << 20;
+}
+
+/// Colours of groups, asked for once each.
+class DrawLists::Palette {
+public:
+    explicit Palette(const GroupColours& colours) : colours_(colours) {}
+
+    std::uint32_t operator()(int group)
+    {
+        if (group != last_group_) {
+            const auto [found, fresh] = packed_.try_emplace(group, 0u);
+            if (fresh) found->second = pack(colours_(group));
+            last_group_ = group;
+            last_ = found->second;
+        }
+        return last_;
+    }
+
+private:
+    const GroupColours& colours_;
+    std::unordered_map<int, std::uint32_t> packed_;
+    int last_group_ = -1;
+    std::uint32_t last_ = 0;
+};
+
+// --- building ---------------------------------------------------------------------------------------------------------------
+
+void DrawLists::clear(const Box& box)
+{
+    origin_ = box.center();
+    live_triangles_ = 0;
+    draw_vertices_.truncate(0);
+    vertex_of_.truncate(0);
+    next_copy_.truncate(0);
+    triangles_.truncate(0);
+    triangle_face_.truncate(0);
+    positions_.truncate(0);
+    newest_.truncate(0);
+    face_triangles_.truncate(0);
+    face_group_.truncate(0);
+    face_selected_.truncate(0);
+    edge_ends_.truncate(0);
+    boundary_sides_.clear();
+    selected_.clear();
+    pick_boxes_.clear();
+    room_.clear();
+    vertex_versions_.clear();
+    triangle_versions_.clear();
+    edge_versions_.clear();
+    id_ = version_ = next_version();
+}
+
+void DrawLists::new_version()
+{
+    version_ = next_version();
+}
+
+void DrawLists::build(const Mesh& mesh, const GroupColours& colours)
+{
+    Box box;
+    for (const Vertex v : mesh.vertices()) box.add(mesh.position(v));
+    clear(box);
+
+    const std::uint32_t corners = mesh.corner_limit(), faces = mesh.face_limit();
+    const std::uint32_t triangle_guess = std::max(corners, 2 * faces) - 2 * faces;
+    const std::uint32_t vertex_guess = std::max(triangle_guess, mesh.vertex_limit());
+    draw_vertices_.reserve(vertex_guess + vertex_guess / 8 + slack);
+    vertex_of_.reserve(vertex_guess + vertex_guess / 8 + slack);
+    next_copy_.reserve(vertex_guess + vertex_guess / 8 + slack);
+    triangles_.reserve(triangle_guess + slack);
+    triangle_face_.reserve(triangle_guess + slack);
+    resize(mesh);
+
+    Palette palette(colours);
+    std::vector<std::uint32_t> last_use(mesh.vertex_limit(), 0);
+    for (const Face f : mesh.faces()) {
+        face_group_.set(f.index, mesh.group(f));
+        put_triangles(mesh, f, palette, &last_use);
+    }
+    for (const Vertex v : mesh.vertices())
+        if (newest_[v.index] == none) copy_vertex(v.index); // ends of edges that bound no triangle
+
+    double sum = 0;
+    for (const Edge e : mesh.edges()) {
+        const auto [a, b] = mesh.ends(e);
+        edge_ends_.set(e.index, {a.index, b.index});
+        sum += glm::distance(mesh.position(a), mesh.position(b));
+    }
+    mean_edge_ = mesh.edge_count() > 0 ? sum / mesh.edge_count() : 0.0;
+    edge_versions_.assign((std::size_t(mesh.edge_limit()) >> block_bits) + 1, version_);
+    take_boundary(mesh);
+
+    for (std::uint32_t block = 0; block << pick_bits < triangles_.size(); ++block) renew_box(block);
+    renew_bounds();
+}
+
+void DrawLists::build(const Graph& graph)
+{
+    Box box;
+    for (const Point& p : graph.vertices) box.add(p);
+    clear(box);
+    for (const Point& p : graph.vertices) {
+        positions_.push_back(p);
+        newest_.push_back(none);
+        copy_vertex(positions_.size() - 1);
+    }
+    double sum = 0;
+    for (const auto& [a, b] : graph.edges) {
+        edge_ends_.push_back({a, b});
+        sum += glm::distance(graph.vertices[a], graph.vertices[b]);
+    }
+    mean_edge_ = graph.edges.empty() ? 0.0 : sum / double(graph.edges.size());
+    edge_versions_.assign((graph.edges.size() >> block_bits) + 1, version_);
+    bounds_ = box;
+}
+
+/// Brings the columns beside the mesh to its limits; new elements are empty.
+void DrawLists::resize(const Mesh& mesh)
+{
+    const auto fit = [](auto& column, std::uint32_t limit, auto empty) {
+        if (limit < column.size()) column.truncate(limit);
+        const std::uint32_t more = limit - column.size();
+        std::fill_n(column.extend(more), more, empty);
+    };
+    const std::uint32_t known = positions_.size();
+    // The copies of vertices that are gone wait here for the next ones of these numbers.
+    fit(newest_, std::max(newest_.size(), mesh.vertex_limit()), none);
+    fit(positions_, mesh.vertex_limit(), Point(0.0));
+    for (std::uint32_t v = known; v < positions_.size(); ++v) positions_.set(v, mesh.position(Vertex(v)));
+    fit(face_triangles_, mesh.face_limit(), Range{});
+    fit(face_group_, mesh.face_limit(), std::int32_t(0));
+    fit(face_selected_, mesh.face_limit(), std::uint8_t(0));
+    fit(edge_ends_, mesh.edge_limit(), std::array{none, none});
+}
+
+void DrawLists::take_boundary(const Mesh& mesh)
+{
+    boundary_sides_.clear();
+    for (const Face f : mesh.boundary_faces())
+        for (const Corner c : mesh.corners(f)) boundary_sides_.push_back({mesh.vertex(c).index, mesh.target(c).index});
+}
+
+// --- triangles --------------------------------------------------------------------------------------------------------------
+
+std::uint32_t DrawLists::copy_vertex(std::uint32_t v)
+{
+    const std::uint32_t copy = draw_vertices_.size();
+    const Vector p = positions_[v] - origin_;
+    draw_vertices_.push_back({float(p.x), float(p.y), float(p.z), 0, 0});
+    vertex_of_.push_back(v);
+    next_copy_.push_back(newest_[v]);
+    newest_.set(v, copy);
+    touch(vertex_versions_, copy);
+    return copy;
+}
+
+/// A copy of `v` in which no triangle ends yet, or `none`.
+std::uint32_t DrawLists::unclaimed_copy(std::uint32_t v) const
+{
+    std::uint32_t copy = newest_[v];
+    for (std::uint32_t n = 0; n < copies_looked_at && copy != none; ++n, copy = next_copy_[copy])
+        if ((draw_vertices_[copy].look & DrawVertex::claimed_flag) == 0) return copy;
+    return none;
+}
+
+/// Which of a triangle's vertices shall be its last: one whose newest copy is free, or else the one that would be fetched again
+/// anyway because its last use is long ago. With `last_use` missing (a local update), any free copy will do.
+std::size_t DrawLists::choose_last(const std::array<std::uint32_t, 3>& v, std::vector<std::uint32_t>* last_use)
+{
+    const auto is_free = [&](std::uint32_t copy) {
+        return copy == none || (draw_vertices_[copy].look & DrawVertex::claimed_flag) == 0;
+    };
+    for (std::size_t k = 0; k < 3; ++k)
+        if (is_free(newest_[v[k]])) return k;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (last_use ? live_triangles_ - (*last_use)[v[k]] > cache_reach : unclaimed_copy(v[k]) != none) return k;
+    return 0;
+}
+
+void DrawLists::put_triangles(const Mesh& mesh, Face f, Palette& palette, std::vector<std::uint32_t>* last_use)
+{
+    const auto& pieces = triangulator_.triangles(mesh, f);
+    if (pieces.empty()) return;
+    const std::uint32_t count = static_cast<std::uint32_t>(pieces.size());
+    const std::uint32_t first = find_room(count);
+    face_triangles_.set(f.index, {first, count});
+
+    const std::uint32_t normal = pack_normal(unit_normal(mesh, f));
+    const std::uint32_t look =
+        palette(face_group_[f.index]) | DrawVertex::claimed_flag | (face_selected_[f.index] ? DrawVertex::selected_flag : 0u);
+    std::uint32_t t = first;
+    for (const std::array<Corner, 3>& piece : pieces) {
+        const std::array<std::uint32_t, 3> v{mesh.vertex(piece[0]).index, mesh.vertex(piece[1]).index,
+                                             mesh.vertex(piece[2]).index};
+        const std::size_t k = choose_last(v, last_use), k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+
+        std::uint32_t last = last_use ? newest_[v[k]] : unclaimed_copy(v[k]);
+        if (last == none || (draw_vertices_[last].look & DrawVertex::claimed_flag) != 0) last = copy_vertex(v[k]);
+        for (const std::size_t other : {k1, k2})
+            if (newest_[v[other]] == none) copy_vertex(v[other]);
+        if (last_use)
+            for (const std::uint32_t used : v) (*last_use)[used] = live_triangles_;
+
+        std::uint32_t sides = 0;
+        for (std::size_t side = 0; side < 3; ++side)
+            if (mesh.next(piece[(k + side) % 3]) == piece[(k + side + 1) % 3]) sides |= DrawVertex::side_flag << side;
+
+        DrawVertex& vertex = *draw_vertices_.write(last, 1);
+        vertex.normal = normal;
+        vertex.look = look | sides;
+        touch(vertex_versions_, last);
+        triangles_.set(t, {newest_[v[k1]], newest_[v[k2]], last});
+        triangle_face_.set(t, f.index);
+        touch(triangle_versions_, t);
+        ++t;
+        ++live_triangles_;
+    }
+}
+
+/// Where `count` triangles in a row can go.
+std::uint32_t DrawLists::find_room(std::uint32_t count)
+{
+    if (count < room_.size() && !room_[count].empty()) {
+        const std::uint32_t first = room_[count].back();
+        room_[count].pop_back();
+        return first;
+    }
+    const std::uint32_t first = triangles_.size();
+    std::fill_n(triangles_.extend(count), count, Triangle{0, 0, 0});
+    std::fill_n(triangle_face_.extend(count), count, none);
+    return first;
+}
+
+/// Takes the triangles of a face away; the vertices they ended in are free for others.
+void DrawLists::release(Face f)
+{
+    const Range range = face_triangles_[f.index];
+    if (range.count == 0) return;
+    for (std::uint32_t t = range.first; t < range.first + range.count; ++t) {
+        const std::uint32_t last = triangles_[t][2];
+        draw_vertices_.write(last, 1)->look = 0;
+        touch(vertex_versions_, last);
+        triangles_.set(t, {0, 0, 0});
+        triangle_face_.set(t, none);
+        touch(triangle_versions_, t);
+    }
+    live_triangles_ -= range.count;
+    face_triangles_.set(f.index, {});
+    if (range.count <= largest_room) {
+        if (room_.size() <= range.count) room_.resize(range.count + 1);
+        room_[range.count].push_back(range.first);
+    }
+}
+
+// --- following the mesh -----------------------------------------------------------------------------------------------------
+
+void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColours& colours)
+{
+    const std::uint32_t known_faces = face_triangles_.size();
+    const std::size_t dead = triangles_.size() - live_triangles_;
+    const bool crowded =
+        dead > live_triangles_ / 2 + slack || draw_vertices_.size() > 2 * (live_triangles_ + mesh.vertex_limit()) + slack;
+    const bool much =
+        delta.whole || delta.faces.size() + delta.vertices.size() > (mesh.face_limit() + mesh.vertex_limit()) / 4 + 64;
+    if (id_ == 0 || much || crowded || (live_triangles_ == 0 && mesh.face_count() > 0)) {
+        std::vector<Face> selection;
+        for (const Face f : selected_)
+            if (mesh.is_alive(f)) selection.push_back(f);
+        build(mesh, colours);
+        select(selection);
+        return;
+    }
+    new_version();
+    Palette palette(colours);
+
+    // The faces to put again: those that changed, and all around a vertex that moved.
+    std::vector<Face> faces = delta.faces;
+    for (const Vertex v : delta.vertices) {
+        if (!mesh.is_alive(v)) continue;
+        for (const Corner c : mesh.around(v))
+            if (!mesh.face(c).is_boundary()) faces.push_back(mesh.face(c));
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+
+    std::vector<std::uint32_t> blocks;
+    const auto note_blocks = [&](Face f) {
+        const Range range = face_triangles_[f.index];
+        for (std::uint32_t i = range.first >> pick_bits; range.count > 0 && i <= (range.first + range.count - 1) >> pick_bits;
+             ++i)
+            blocks.push_back(i);
+    };
+    const auto remove = [&](Face f) {
+        note_blocks(f);
+        release(f);
+    };
+    for (const Face f : faces)
+        if (f.index < known_faces) remove(f);
+    for (std::uint32_t i = mesh.face_limit(); i < known_faces; ++i) remove(Face(i));
+
+    const std::uint32_t known_edges = edge_ends_.size();
+    resize(mesh);
+    std::erase_if(selected_, [&](Face f) { return f.index >= mesh.face_limit(); });
+
+    for (const Vertex v : delta.vertices) {
+        if (v.index >= positions_.size()) continue;
+        positions_.set(v.index, mesh.position(v));
+        const Vector p = mesh.position(v) - origin_;
+        for (std::uint32_t copy = newest_[v.index]; copy != none; copy = next_copy_[copy]) {
+            DrawVertex& vertex = *draw_vertices_.write(copy, 1);
+            vertex.x = float(p.x), vertex.y = float(p.y), vertex.z = float(p.z);
+            touch(vertex_versions_, copy);
+        }
+    }
+    for (const Face f : faces) {
+        if (!mesh.is_alive(f)) continue;
+        face_group_.set(f.index, mesh.group(f));
+        put_triangles(mesh, f, palette, nullptr);
+        note_blocks(f);
+    }
+    for (const Face f : delta.regrouped) {
+        if (!mesh.is_alive(f)) continue;
+        face_group_.set(f.index, mesh.group(f));
+        paint(f, palette);
+    }
+
+    const auto take_edge = [&](Edge e) {
+        std::array<std::uint32_t, 2> ends{none, none};
+        if (mesh.is_alive(e)) {
+            ends = {mesh.ends(e)[0].index, mesh.ends(e)[1].index};
+            for (const std::uint32_t v : ends)
+                if (newest_[v] == none) copy_vertex(v);
+        }
+        edge_ends_.set(e.index, ends);
+        touch(edge_versions_, e.index);
+    };
+    for (const Edge e : delta.edges)
+        if (e.index < edge_ends_.size()) take_edge(e);
+    for (std::uint32_t i = known_edges; i < edge_ends_.size(); ++i) take_edge(Edge(i));
+    take_boundary(mesh);
+
+    renew_boxes(blocks);
+    renew_bounds();
+}
+
+void DrawLists::paint(Face f, Palette& palette)
+{
+    const Range range = face_triangles_[f.index];
+    const std::uint32_t colour = palette(face_group_[f.index]) | (face_selected_[f.index] ? DrawVertex::selected_flag : 0u);
+    for (std::uint32_t t = range.first; t < range.first + range.count; ++t) {
+        const std::uint32_t last = triangles_[t][2];
+        DrawVertex& vertex = *draw_vertices_.write(last, 1);
+        vertex.look = (vertex.look & 0xff000000u & ~DrawVertex::selected_flag) | colour;
+        touch(vertex_versions_, last);
+    }
+}
+
+void DrawLists::recolour(const Mesh& mesh, const GroupColours& colours)
+{
+    new_version();
+    Palette palette(colours);
+    for (const Face f : mesh.faces()) {
+        if (f.index >= face_limit()) break;
+        face_group_.set(f.index, mesh.group(f));
+        paint(f, palette);
+    }
+}
+
+void DrawLists::select(std::span<const Face> faces)
+{
+    new_version();
+    const auto mark = [&](Face f, bool on) {
+        if (f.index >= face_limit()) return;
+        face_selected_.set(f.index, on ? 1 : 0);
+        const Range range = face_triangles_[f.index];
+        for (std::uint32_t t = range.first; t < range.first + range.count; ++t) {
+            const std::uint32_t last = triangles_[t][2];
+            std::uint32_t& look = draw_vertices_.write(last, 1)->look;
+            look = on ? look | DrawVertex::selected_flag : look & ~DrawVertex::selected_flag;
+            touch(vertex_versions_, last);
+        }
+    };
+    for (const Face f : selected_) mark(f, false);
+    for (const Face f : faces) mark(f, true);
+    selected_.assign(faces.begin(), faces.end());
+}
+
+// --- boxes and normals ------------------------------------------------------------------------------------------------------
+
+void DrawLists::renew_box(std::uint32_t block)
+{
+    if (block >= pick_boxes_.size()) pick_boxes_.resize(block + 1);
+    Box box;
+    const std::uint32_t end = std::min((block + 1) << pick_bits, triangles_.size());
+    for (std::uint32_t t = block << pick_bits; t < end; ++t)
+        if (triangle_face_[t] != none)
+            for (std::size_t k = 0; k < 3; ++k) box.add(corner(t, k));
+    pick_boxes_[block] = box;
+}
+
+void DrawLists::renew_boxes(std::vector<std::uint32_t>& blocks)
+{
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    for (const std::uint32_t block : blocks) renew_box(block);
+}
+
+void DrawLists::renew_bounds()
+{
+    bounds_ = Box();
+    for (const Box& box : pick_boxes_) {
+        if (box.empty()) continue;
+        bounds_.add(box.min);
+        bounds_.add(box.max);
+    }
+    if (!has_faces())
+        for (const Point& p : positions_.view()) bounds_.add(p);
+}
+
+std::vector<std::array<std::uint32_t, 2>> DrawLists::sides(Face f) const
+{
+    std::vector<std::array<std::uint32_t, 2>> result;
+    const Range range = triangles(f);
+    for (std::uint32_t t = range.first; t < range.first + range.count; ++t) {
+        const Triangle& triangle = triangles_[t];
+        const std::uint32_t look = draw_vertices_[triangle[2]].look;
+        for (std::size_t side = 0; side < 3; ++side)
+            if (look & (DrawVertex::side_flag << side))
+                result.push_back({vertex_of_[triangle[(side + 2) % 3]], vertex_of_[triangle[side]]});
+    }
+    return result;
+}
+
+std::vector<std::uint32_t> DrawLists::smooth_normals() const
+{
+    std::vector<Vector> sum(vertex_limit(), Vector(0.0));
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+        if (triangle_face_[t] == none) continue;
+        const Point p[3] = {corner(t, 0), corner(t, 1), corner(t, 2)};
+        const Vector side[3] = {unit(p[1] - p[0]), unit(p[2] - p[1]), unit(p[0] - p[2])};
+        const Vector normal = unit(glm::cross(side[0], side[1]));
+        for (std::size_t k = 0; k < 3; ++k)
+            sum[vertex_of_[triangles_[t][k]]] += std::acos(std::clamp(-glm::dot(side[k], side[(k + 2) % 3]), -1.0, 1.0)) * normal;
+    }
+    std::vector<std::uint32_t> packed(draw_vertices_.size());
+    for (std::uint32_t i = 0; i < packed.size(); ++i)
+        if (vertex_of_[i] < sum.size()) packed[i] = pack_normal(unit(sum[vertex_of_[i]]));
+    return packed;
+}
+
+} // namespace druse

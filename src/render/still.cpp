@@ -1,0 +1,55 @@
+#include "render/still.h"
+
+#include "render/offscreen_context.h"
+
+#include <exception>
+#include <thread>
+
+namespace druse {
+
+namespace {
+
+Image draw(const DrawLists& lists, const StillOptions& options)
+{
+    Camera camera;
+    camera.resize(options.width, options.height);
+    camera.set_angles(options.view);
+    camera.set_parallel(options.parallel);
+    camera.fit(lists.bounds());
+
+    Style style;
+    style.shading = options.shading;
+    style.edges = options.edges;
+    style.transparent_background = options.transparent;
+    if (options.background) style.background_top = style.background_bottom = *options.background;
+
+    Image image;
+    std::exception_ptr failure;
+    std::thread([&] {
+        try {
+            const OffscreenContext context;
+            Renderer renderer(context.loader());
+            renderer.draw(lists, camera, style, {}, options.samples);
+            image = renderer.read_image();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+    }).join();
+    if (failure) std::rethrow_exception(failure);
+    return image;
+}
+
+} // namespace
+
+Image draw_still(const Mesh& mesh, const GroupColours& colours, const StillOptions& options)
+{
+    const GroupColours plain = [&](int) { return colours(0); };
+    return draw(DrawLists(mesh, options.groups ? colours : plain), options);
+}
+
+Image draw_still(const Graph& graph, const StillOptions& options)
+{
+    return draw(DrawLists(graph), options);
+}
+
+} // namespace druse
