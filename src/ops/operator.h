@@ -5,9 +5,11 @@
 #include "ops/parameter.h"
 #include "ops/scene.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,11 +20,17 @@ namespace druse {
 struct Context {
     Progress& progress;
     std::filesystem::path folder;   // what file parameters are relative to
+    std::vector<std::filesystem::path> scripts; // being run, from the outermost in: none of them may be opened again
     std::vector<std::string> notes; // one line each, without `note:`
     std::string output;             // of a query: one JSON object
     bool failed = false;            // of a query: something it looked for is wrong (exit 2 with strict=true)
 
     void note(std::string line) { notes.push_back(std::move(line)); }
+};
+
+/// A stored set of an operator's parameters, written like the end of a command: `angle=90 heights=0.5`.
+struct Preset {
+    std::string name, arguments;
 };
 
 /// One entry of the registry: everything that menus, panels, the command line, scripts, history and the reference page know.
@@ -41,6 +49,8 @@ struct Operator {
     bool keeps_euler = false; // promises that V − E + F stays what it was
     std::vector<Parameter> parameters;
     std::vector<std::vector<std::string>> exclusive; // exactly one of each set is given
+    std::vector<Preset> presets;
+    std::optional<std::int64_t> euler_change; // what χ = V − E + F grows by, where it is the same for every mesh and all parameters
 
     std::function<std::shared_ptr<void>()> make;                       // parameters with their defaults
     std::function<void(Scene&, const void*, Context&)> run;            // throws CommandError; Document::apply puts the scene back
@@ -102,6 +112,17 @@ public:
     Definition& exactly_one(std::vector<std::string> names)
     {
         operator_.exclusive.push_back(std::move(names));
+        return *this;
+    }
+    Definition& preset(std::string name, std::string arguments)
+    {
+        operator_.presets.push_back({std::move(name), std::move(arguments)});
+        return *this;
+    }
+    /// χ grows by that much on every mesh and with all parameters.
+    Definition& euler_change(std::int64_t change)
+    {
+        operator_.euler_change = change;
         return *this;
     }
     Definition& alias(std::string name)
