@@ -3,8 +3,8 @@
 #include "geom/colour.h"
 
 #include <map>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace druse {
 
@@ -19,6 +19,7 @@ public:
     const std::string& name(int id) const; // empty if the group has none
     bool has_own_colour(int id) const;
 
+    /// Cost: O(1) for an id above all others, as readers give them.
     void set_colour(int id, Colour c);
     void set_default_colour(int id);
     void set_name(int id, std::string name);
@@ -28,12 +29,15 @@ public:
     friend bool operator==(const GroupTable&, const GroupTable&) = default;
 
 private:
-    struct Entry {
-        std::optional<Colour> colour;
-        std::string name;
-        friend bool operator==(const Entry&, const Entry&) = default;
+    struct Own {
+        int id;
+        Colour colour;
+        friend bool operator==(const Own&, const Own&) = default;
     };
-    std::map<int, Entry> entries_;
+    std::vector<Own>::const_iterator find(int id) const; // the first that is not below
+
+    std::vector<Own> colours_; // ascending ids; a photograph may bring a million of them
+    std::map<int, std::string> names_;
 };
 
 } // namespace druse

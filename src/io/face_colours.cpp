@@ -5,43 +5,10 @@
 
 namespace druse {
 
-namespace {
-
-void keep_colour(GroupTable& groups, int id, Colour c)
+void ColourNumbers::add_cube(std::uint32_t outer)
 {
-    if (c != GroupTable::default_colour(id)) groups.set_colour(id, c);
-}
-
-} // namespace
-
-int ColourNumbers::number(Colour c)
-{
-    const std::uint32_t key = 1u + (std::uint32_t(c.red) << 16 | std::uint32_t(c.green) << 8 | c.blue);
-    const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
-    std::uint32_t at = (key * 2654435761u >> 7) & mask; // Knuth's multiplicative hashing
-    while (slots_[at].key != key) {
-        if (slots_[at].key == 0) {
-            colours_.push_back(c);
-            slots_[at] = {key, static_cast<std::int32_t>(colours_.size())};
-            const int n = slots_[at].number;
-            if (2 * colours_.size() > slots_.size()) grow();
-            return n;
-        }
-        at = (at + 1) & mask;
-    }
-    return slots_[at].number;
-}
-
-void ColourNumbers::grow()
-{
-    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(4 * slots_.size()));
-    const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
-    for (const Slot& slot : old) {
-        if (slot.key == 0) continue;
-        std::uint32_t at = (slot.key * 2654435761u >> 7) & mask;
-        while (slots_[at].key != 0) at = (at + 1) & mask;
-        slots_[at] = slot;
-    }
+    cube_of_[outer] = numbers_.size() / cube_size + 1;
+    std::fill_n(numbers_.extend(cube_size), cube_size, 0);
 }
 
 std::int32_t FacePaints::material(std::string_view name)
@@ -57,12 +24,9 @@ std::int32_t FacePaints::material(std::string_view name)
 
 std::int32_t FacePaints::colour(Colour c)
 {
-    const auto n = static_cast<std::size_t>(by_colour_.number(c));
-    if (n > of_colour_.size()) {
-        of_colour_.push_back(static_cast<std::int32_t>(paints_.size()));
-        paints_.push_back({true, "", c});
-    }
-    return of_colour_[n - 1];
+    const auto [at, added] = by_colour_.try_emplace(c, static_cast<std::int32_t>(paints_.size()));
+    if (added) paints_.push_back({true, "", c});
+    return at->second;
 }
 
 bool FacePaints::named_as_groups(const std::vector<bool>& used) const
@@ -87,7 +51,8 @@ bool FacePaints::to_groups(std::span<std::int32_t> faces, const Materials& mater
             const int id = *group_of_material(paints_[paint].material);
             group_of_paint[paint] = id;
             const Material* material = materials.find(paints_[paint].material);
-            if (material && material->colour) keep_colour(groups, id, *material->colour);
+            // Our own writer gives every group a colour; the one that it would have anyway is not its own.
+            if (material && material->colour && *material->colour != GroupTable::default_colour(id)) groups.set_colour(id, *material->colour);
             if (material && !material->group_name.empty()) groups.set_name(id, material->group_name);
         }
     } else {
@@ -106,7 +71,7 @@ bool FacePaints::to_groups(std::span<std::int32_t> faces, const Materials& mater
             const auto n = static_cast<std::size_t>(colours.number(colour));
             if (n > group_of_colour.size()) {
                 group_of_colour.push_back(++last);
-                keep_colour(groups, last, colour);
+                groups.set_colour(last, colour);
             }
             group_of_paint[paint] = group_of_colour[n - 1];
         }
@@ -129,7 +94,7 @@ void groups_from_vertex_colours(std::span<const Vertex> corners, std::span<const
         begin = ends[f];
     }
     int id = 0;
-    for (const Colour c : numbers.colours()) keep_colour(groups, ++id, c);
+    for (const Colour c : numbers.colours()) groups.set_colour(++id, c);
 }
 
 } // namespace druse

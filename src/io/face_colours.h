@@ -1,12 +1,13 @@
 #pragma once
 
+#include "dlfl/column.h"
 #include "dlfl/group_table.h"
 #include "dlfl/handle.h"
-#include "dlfl/column.h"
 #include "geom/point.h"
 #include "io/materials.h"
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -15,19 +16,30 @@
 namespace druse {
 
 /// Numbers colours 1, 2, … in the order in which they are first met.
+///
+/// The table is a cube of cubes, made where colours lie: similar colours, as neighbouring faces have them, are neighbours in memory.
 class ColourNumbers {
 public:
-    int number(Colour c);
+    int number(Colour c)
+    {
+        const std::uint32_t outer = (c.red >> 3) << 10 | (c.green >> 3) << 5 | c.blue >> 3;
+        const std::uint32_t inner = (c.red & 7) << 6 | (c.green & 7) << 3 | (c.blue & 7);
+        if (cube_of_[outer] == 0) add_cube(outer);
+        const std::uint32_t at = (cube_of_[outer] - 1) * cube_size + inner;
+        if (numbers_[at] == 0) {
+            colours_.push_back(c);
+            numbers_.set(at, static_cast<std::int32_t>(colours_.size()));
+        }
+        return numbers_[at];
+    }
     std::span<const Colour> colours() const { return colours_; } // that of number n is at n − 1
 
 private:
-    void grow();
+    static constexpr std::uint32_t cube_size = 8 * 8 * 8;
+    void add_cube(std::uint32_t outer);
 
-    struct Slot {
-        std::uint32_t key = 0; // 0: free
-        std::int32_t number = 0;
-    };
-    std::vector<Slot> slots_ = std::vector<Slot>(64); // a power of two, at most half of them taken
+    std::vector<std::uint32_t> cube_of_ = std::vector<std::uint32_t>(32 * 32 * 32); // 1 + the place of a cube; 0: none
+    Column<std::int32_t> numbers_;
     std::vector<Colour> colours_;
 };
 
@@ -54,8 +66,7 @@ private:
 
     std::vector<Paint> paints_ = {{false, "", {}}};
     std::unordered_map<std::string, std::int32_t, NameHash, std::equal_to<>> by_name_;
-    ColourNumbers by_colour_;
-    std::vector<std::int32_t> of_colour_; // the paint of each number of by_colour_
+    std::map<Colour, std::int32_t> by_colour_;
 };
 
 /// Groups from the colours of vertices: a face has the mean of its corners' colours, rounded to 8 bits a channel, if all of them have

@@ -56,6 +56,7 @@ private:
 
     const char* coordinate(const char* p, double& value);
     const char* corner(const char* p, std::uint32_t& v);
+    const char* corner_in_full(const char* p, std::uint32_t& v);
     const char* element(const char* p, std::int64_t count, Announced& announced, const char* what, std::uint32_t& index);
     void keep_vertex_colour(const double* rgb);
     std::string_view rest_of_line(const char* p) const;
@@ -65,7 +66,7 @@ private:
     void check_announced(const Announced& announced, std::int64_t count, const char* what) const;
     void make_groups(Model& model);
     void make_graph(Model& model);
-    std::uint32_t count_unused() const;
+    std::uint32_t count_on_lines_only() const;
     [[noreturn]] void fail(const std::string& what) const { throw InputError(source_.name(), line_, what); }
 
     ByteSource& source_;
@@ -133,7 +134,7 @@ void ObjReader::keep_vertex_colour(const double* rgb)
 }
 
 /// A vertex, texture or normal number as faces write it: from 1 up, or from −1 down for the last ones so far.
-inline const char* ObjReader::element(const char* p, std::int64_t count, Announced& announced, const char* what, std::uint32_t& index)
+const char* ObjReader::element(const char* p, std::int64_t count, Announced& announced, const char* what, std::uint32_t& index)
 {
     std::int64_t number = 0;
     const char* after = scan::integer(p, number);
@@ -153,6 +154,17 @@ inline const char* ObjReader::element(const char* p, std::int64_t count, Announc
 
 /// One entry of a face: `v`, `v/t`, `v//n` or `v/t/n`.
 inline const char* ObjReader::corner(const char* p, std::uint32_t& v)
+{
+    std::int64_t number = 0;
+    const char* after = scan::integer(p, number);
+    if (after && scan::ends_word(*after) && number > 0 && number <= builder_.vertex_count()) [[likely]] {
+        v = static_cast<std::uint32_t>(number - 1);
+        return after;
+    }
+    return corner_in_full(p, v);
+}
+
+const char* ObjReader::corner_in_full(const char* p, std::uint32_t& v)
 {
     p = element(p, builder_.vertex_count(), announced_, "vertex", v);
     if (*p != '/') return p;
@@ -306,17 +318,17 @@ Model ObjReader::read()
     if (!lines_.empty()) make_graph(model);
 
     Repairs repairs;
-    const std::uint32_t unused = count_unused();
+    const std::uint32_t on_lines_only = lines_.empty() ? 0 : count_on_lines_only();
     if (builder_.face_count() > 0) {
         try {
             model.mesh = builder_.build(repairs);
         } catch (const CommandError& error) {
             throw InputError(source_.name(), error.what());
         }
+    } else {
+        repairs.loose_vertices = builder_.vertex_count();
     }
-    repairs.loose_vertices = 0; // some may be on a line
-    if (unused > 0)
-        model.notes.push_back(fmt::format("{} vert{} to nothing: left out", unused, unused == 1 ? "ex belongs" : "ices belong"));
+    repairs.loose_vertices -= on_lines_only;
     for (std::string& note : repairs.notes()) model.notes.push_back(std::move(note));
     return model;
 }
@@ -353,12 +365,13 @@ void ObjReader::make_graph(Model& model)
     for (const auto& [a, b] : lines_) model.graph->edges.push_back({number[a], number[b]});
 }
 
-std::uint32_t ObjReader::count_unused() const
+/// Vertices that the graph has and the mesh has not: they are not left out.
+std::uint32_t ObjReader::count_on_lines_only() const
 {
-    std::vector<bool> used(builder_.vertex_count(), false);
-    for (const auto& [a, b] : lines_) used[a] = used[b] = true;
-    for (const Vertex v : builder_.corners()) used[v.index] = true;
-    return static_cast<std::uint32_t>(std::count(used.begin(), used.end(), false));
+    std::vector<bool> counts(builder_.vertex_count(), false);
+    for (const auto& [a, b] : lines_) counts[a] = counts[b] = true;
+    for (const Vertex v : builder_.corners()) counts[v.index] = false;
+    return static_cast<std::uint32_t>(std::count(counts.begin(), counts.end(), true));
 }
 
 } // namespace

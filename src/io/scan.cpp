@@ -4,11 +4,11 @@
 
 namespace druse::scan {
 
-const char* number_in_full(const char* begin, const char* end, double& value)
+bool number_in_full(const char* begin, const char* end, double& value)
 {
     const auto [stop, error] = std::from_chars(begin, end, value);
-    if (stop != end) return nullptr;
-    if (error != std::errc::result_out_of_range) return end;
+    if (stop != end) return false;
+    if (error != std::errc::result_out_of_range) return true;
     // Too large, or so small that it is nothing. The first digit that counts tells, together with the exponent.
     const char* p = begin;
     std::int64_t magnitude = 0; // of the first digit, against the point
@@ -24,9 +24,9 @@ const char* number_in_full(const char* begin, const char* end, double& value)
     }
     std::int64_t exponent = 0;
     if (p != end) integer(p + 1, exponent);
-    if (magnitude + exponent > 0) return nullptr;
+    if (magnitude + exponent > 0) return false;
     value = 0.0;
-    return end;
+    return true;
 }
 
 std::string quoted_word(const char* p)

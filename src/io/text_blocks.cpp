@@ -20,6 +20,8 @@ std::size_t end_of_lines(const char* text, std::size_t size)
     return 0;
 }
 
+constexpr std::size_t slack = 16; // two line breaks of our own, and what scan:: may look at behind the last line
+
 } // namespace
 
 TextBlocks::TextBlocks(ByteSource& source)
@@ -38,7 +40,7 @@ bool TextBlocks::next(const char*& begin, const char*& end)
     filled_ -= used_;
     used_ = 0;
     while (true) {
-        const std::size_t room = capacity_ - 2 - filled_; // two bytes stay free for line breaks of our own
+        const std::size_t room = capacity_ - slack - filled_;
         if (!at_end_) {
             const std::size_t count = source_.read(buffer_.get() + filled_, room);
             filled_ += count;
