@@ -12,6 +12,8 @@ std::vector<std::string> Repairs::notes() const
     const auto note = [&lines](std::uint32_t count, const char* one, const char* many) {
         if (count > 0) lines.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
     };
+    note(sides_dropped, "side of a face ran from a vertex to itself: left out", "sides of faces ran from a vertex to itself: left out");
+    note(faces_dropped, "face had fewer than three different corners: left out", "faces had fewer than three different corners: left out");
     note(loose_vertices, "vertex belongs to no face: left out", "vertices belong to no face: left out");
     note(edges_split, "edge had three or more faces: split into pairs", "edges had three or more faces: split into pairs");
     note(faces_turned, "face was wound against its neighbours: turned", "faces were wound against their neighbours: turned");
@@ -33,18 +35,18 @@ void MeshBuilder::reserve(std::uint32_t vertices, std::uint32_t faces, std::uint
 Mesh MeshBuilder::build()
 {
     Mesh mesh;
-    ASSERT(pair_directly(mesh), "polygons that make a closed oriented 2-manifold");
-    hand_over(mesh);
+    ASSERT(connect(mesh), "polygons that make a closed oriented 2-manifold");
     return mesh;
 }
 
 Mesh MeshBuilder::build(Repairs& repairs)
 {
-    leave_out_loose_vertices(repairs);
     Mesh mesh;
-    if (!pair_directly(mesh)) return mend(repairs);
-    hand_over(mesh);
-    return mesh;
+    if (connect(mesh)) return mesh;
+    leave_out_repetitions(repairs);
+    leave_out_loose_vertices(repairs);
+    if ((repairs.sides_dropped > 0 || repairs.loose_vertices > 0) && connect(mesh = Mesh())) return mesh;
+    return mend(repairs);
 }
 
 void MeshBuilder::hand_over(Mesh& mesh)
@@ -55,25 +57,14 @@ void MeshBuilder::hand_over(Mesh& mesh)
     ends_ = {};
 }
 
-bool MeshBuilder::pair_directly(Mesh& mesh)
+bool MeshBuilder::connect(Mesh& mesh)
 {
+    // Everything is done in the order in which the polygons lie in memory, and in the mesh's own columns before they get their
+    // values: on a large mesh the cost is that of touching memory, for the first time most of all.
     const std::uint32_t vertices = positions_.size(), faces = ends_.size(), corners = corners_.size();
     ASSERT(corners < Face::boundary_bit, "fewer than 2^31 corners");
-
-    // A side is looked for among the edges kept at one of its ends, the one with fewer corners: then even the apex of a huge
-    // pyramid costs nothing, and the whole search is linear on any mesh of bounded genus.
-    std::vector<std::uint32_t> corner_count(vertices, 0);
-    for (const Vertex v : corners_.view()) {
-        ASSERT(v.index < vertices, "corners of vertices that exist");
-        ++corner_count[v.index];
-    }
-    constexpr std::uint32_t none = Edge::none;
-    struct Kept {
-        std::uint32_t far, next; // the other end; the next edge kept at the same vertex
-    };
-    std::vector<std::uint32_t> first_kept(vertices, none);
-    std::vector<Kept> kept;
-    kept.reserve(corners / 2);
+    const Vertex* const vertex = corners_.view().data();
+    const std::uint32_t* const ends = ends_.view().data();
 
     Corner* const next = mesh.corner_next_.extend(corners);
     Corner* const previous = mesh.corner_previous_.extend(corners);
@@ -81,67 +72,134 @@ bool MeshBuilder::pair_directly(Mesh& mesh)
     Edge* const edge = mesh.corner_edge_.extend(corners);
     Corner* const start = mesh.face_corner_.extend(faces);
     Corner* const vertex_corner = mesh.vertex_corner_.extend(vertices);
-    std::fill_n(vertex_corner, vertices, Corner());
-    mesh.edge_corners_.reserve(corners / 2);
-    const std::span<const Vertex> corner_vertex = corners_.view();
+    std::array<Corner, 2>* const pair = mesh.edge_corners_.extend(std::max(corners / 2, vertices));
 
-    std::uint32_t begin = 0, closed = 0;
-    for (std::uint32_t f = 0; f < faces; ++f) {
-        const std::uint32_t end = ends_[f];
+    // 1. Faces. A side is named by the corner it *ends* in, and hangs in a list at the lower-numbered of its two vertices.
+    Column<Corner> lists;
+    Corner* const list = lists.extend(vertices);
+    Corner* const following = next; // in its list
+    std::fill_n(list, vertices, Corner());
+    std::fill_n(vertex_corner, vertices, Corner());
+    std::uint32_t sides = 0;
+    for (std::uint32_t f = faces; f-- > 0;) {
+        const std::uint32_t begin = f > 0 ? ends[f - 1] : 0, end = ends[f];
         ASSERT(end > begin, "no face without corners");
         start[f] = Corner(begin);
-        if (end == begin + 1) {
-            next[begin] = previous[begin] = Corner(begin);
-            face[begin] = Face(f);
-            edge[begin] = Edge();
-            vertex_corner[corner_vertex[begin].index] = Corner(begin);
-            begin = end;
-            continue;
-        }
-        for (std::uint32_t c = begin; c < end; ++c) {
-            const std::uint32_t after = c + 1 < end ? c + 1 : begin;
-            next[c] = Corner(after);
-            previous[after] = Corner(c);
+        Corner into(begin);
+        Vertex to = vertex[begin];
+        for (std::uint32_t c = end; c-- > begin;) {
+            const Vertex from = vertex[c];
+            ASSERT(from.index < vertices, "corners of vertices that exist");
+            previous[into.index] = Corner(c);
             face[c] = Face(f);
-            const std::uint32_t a = corner_vertex[c].index, b = corner_vertex[after].index;
-            if (a == b) return false;
-            if (!vertex_corner[a].valid()) vertex_corner[a] = Corner(c);
-            const bool at_a = corner_count[a] < corner_count[b] || (corner_count[a] == corner_count[b] && a < b);
-            const std::uint32_t near = at_a ? a : b, far = at_a ? b : a;
-            std::uint32_t e = first_kept[near];
-            while (e != none && kept[e].far != far) e = kept[e].next;
-            if (e == none) {
-                e = mesh.edge_corners_.size();
-                mesh.edge_corners_.push_back({Corner(c), Corner()});
-                kept.push_back({far, first_kept[near]});
-                first_kept[near] = e;
-            } else {
-                auto& pair = mesh.edge_corners_.write(e, 1)[0];
-                if (pair[1].valid() || corner_vertex[pair[0].index].index == a) return false; // a third side, or one that runs the same way
-                pair[1] = Corner(c);
-                ++closed;
+            vertex_corner[from.index] = Corner(c); // the lowest remains
+            if (from == to) {
+                if (end != begin + 1) return false;
+                following[c] = Corner(c); // a point sphere
+                break;
             }
-            edge[c] = Edge(e);
+            const std::uint32_t low = std::min(from.index, to.index);
+            following[into.index] = list[low];
+            list[low] = into;
+            ++sides;
+            into = Corner(c);
+            to = from;
         }
-        begin = end;
     }
-    if (closed != mesh.edge_corners_.size()) return false; // open somewhere
 
-    // One rotation per vertex: then the rotations that start at the vertices' first corners meet every corner.
-    std::uint64_t met = 0;
+    // 2. Partners. In the list of a vertex each edge must come twice, once in each direction. `met` says, for the other end of
+    // an edge, which vertex's list it was last met in, and the side it was met with: so vertices of any valence take linear time.
+    // A side that ends in corner c and the one against it tell the next corner of the vertex, counter-clockwise from c.
+    struct Met {
+        std::uint32_t low;
+        Corner into; // none: both sides met
+    };
+    const auto met = [pair](std::uint32_t v) { return Met{pair[v][0].index, pair[v][1]}; };
+    const auto set_met = [pair](std::uint32_t v, const Met& m) { pair[v] = {Corner(m.low), m.into}; };
+    Corner* const turn = next; // takes the place of `following` where that has been read
+    std::fill_n(pair, vertices, std::array<Corner, 2>{});
+    std::uint32_t edges = 0;
+    for (std::uint32_t low = 0; low < vertices; ++low)
+        for (Corner into = list[low]; into.valid();) {
+            const Corner rest = following[into.index], out = previous[into.index];
+            const std::uint32_t to = vertex[into.index].index, high = low ^ to ^ vertex[out.index].index; // whichever is not `low`
+            const Met m = met(high);
+            if (m.low != low) {
+                set_met(high, {low, into});
+            } else {
+                if (!m.into.valid() || vertex[m.into.index].index == to) return false; // a third side, or one that runs the same way
+                turn[into.index] = previous[m.into.index];
+                turn[m.into.index] = out;
+                set_met(high, {low, Corner()});
+                ++edges;
+            }
+            into = rest;
+        }
+    if (2 * edges != sides) return false; // open somewhere
+
+    // 3. One rotation per vertex: then those that start at the vertices' first corners meet every corner.
+    std::uint32_t turned = 0;
     for (std::uint32_t v = 0; v < vertices; ++v) {
         const Corner first = vertex_corner[v];
         if (!first.valid()) return false;
         Corner c = first;
         do {
-            ++met;
-            if (!edge[c.index].valid()) break;
-            const Corner in = previous[c.index];
-            const auto& pair = mesh.edge_corners_[edge[in.index].index];
-            c = pair[0] == in ? pair[1] : pair[0];
+            ++turned;
+            c = turn[c.index];
         } while (c != first);
     }
-    return met == corners;
+    if (turned != corners) return false;
+
+    // 4. Edges, as the faces first use them. The side that starts at c ends in the next corner.
+    std::uint32_t made = 0, begin = 0;
+    for (std::uint32_t f = 0; f < faces; ++f) {
+        const std::uint32_t end = ends[f];
+        if (end == begin + 1) {
+            edge[begin] = Edge(); // `next` holds the corner itself already
+            begin = end;
+            continue;
+        }
+        const Corner last_across = turn[begin];
+        for (std::uint32_t c = begin; c < end; ++c) {
+            const Corner across = c + 1 < end ? turn[c + 1] : last_across;
+            next[c] = Corner(c + 1 < end ? c + 1 : begin);
+            if (across.index > c) {
+                pair[made] = {Corner(c), across};
+                edge[c] = Edge(made++);
+            } else {
+                edge[c] = edge[across.index];
+            }
+        }
+        begin = end;
+    }
+    mesh.edge_corners_.truncate(edges);
+    hand_over(mesh);
+    return true;
+}
+
+void MeshBuilder::leave_out_repetitions(Repairs& repairs)
+{
+    std::uint32_t faces = 0, corners = 0, begin = 0;
+    Vertex* const vertex = corners_.write(0, corners_.size());
+    for (std::uint32_t f = 0; f < ends_.size(); ++f) {
+        const std::uint32_t end = ends_[f], first = corners;
+        for (std::uint32_t c = begin; c < end; ++c)
+            if (c == begin || vertex[c] != vertex[corners - 1]) vertex[corners++] = vertex[c];
+        while (corners - first > 1 && vertex[corners - 1] == vertex[first]) --corners;
+        const std::uint32_t dropped = (end - begin) - (corners - first);
+        begin = end;
+        repairs.sides_dropped += dropped;
+        if (dropped > 0 && corners - first < 3) {
+            corners = first;
+            ++repairs.faces_dropped;
+            continue;
+        }
+        ends_.set(faces, corners);
+        groups_.set(faces++, groups_[f]);
+    }
+    corners_.truncate(corners);
+    ends_.truncate(faces);
+    groups_.truncate(faces);
 }
 
 void MeshBuilder::leave_out_loose_vertices(Repairs& repairs)

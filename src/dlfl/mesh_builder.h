@@ -17,14 +17,15 @@ struct Repairs {
     std::uint32_t boundary_edges = 0;      // sides without a neighbour
     std::uint32_t boundary_loops = 0;      // boundary faces made
     std::uint32_t loose_vertices = 0;      // in no face: left out
+    std::uint32_t sides_dropped = 0;       // from a vertex to itself: left out
+    std::uint32_t faces_dropped = 0;       // had fewer than three corners without such sides: left out
     std::vector<std::string> notes() const; // one line each, as readers print them
 };
 
 /// Builds a whole mesh from vertices and polygons given by vertex number.
 ///
 /// Polygons run counter-clockwise seen from outside and become faces in the order given, each starting at its first vertex.
-/// Sides are paired through one bucket per vertex, in time linear in the number of corners; edges are numbered as the faces
-/// first use them.
+/// Edges are numbered as the faces first use them. Cost: linear in the number of corners, whatever the valences.
 class MeshBuilder {
 public:
     /// Makes room; guesses are good enough.
@@ -45,7 +46,8 @@ public:
     }
     void add_face(std::span<const std::uint32_t> vertices, int group = 0)
     {
-        for (const std::uint32_t v : vertices) add_corner(v);
+        Vertex* out = corners_.extend(static_cast<std::uint32_t>(vertices.size()));
+        for (const std::uint32_t v : vertices) *out++ = Vertex(v);
         end_face(group);
     }
     /// A vertex alone on a one-cornered face.
@@ -69,15 +71,17 @@ public:
 
     /// The mesh, for polygons from anywhere.
     ///
+    /// Sides from a vertex to itself are left out, and so are faces that keep fewer than three corners, and vertices in no face.
     /// Faces of a component wound against each other are turned (the fewer of the two kinds); vertices that join surfaces in a
     /// point are split, the new ones appended; edges with three or more faces are split into pairs, each enclosing a wedge of the
-    /// solid; an open boundary is closed by boundary faces; vertices in no face are left out. `repairs` says what was done.
+    /// solid; an open boundary is closed by boundary faces. `repairs` says what was done.
     /// @throws CommandError if the surface is one-sided (a Möbius strip, a Klein bottle)
     Mesh build(Repairs& repairs);
 
 private:
-    bool pair_directly(Mesh& mesh);  // false: something has to be mended
+    bool connect(Mesh& mesh);        // false: something has to be mended, and the builder still holds everything
     Mesh mend(Repairs& repairs);
+    void leave_out_repetitions(Repairs& repairs);
     void leave_out_loose_vertices(Repairs& repairs);
     void hand_over(Mesh& mesh);      // positions, corners and groups become the mesh's columns
 

@@ -1,5 +1,6 @@
-// MeshBuilder::mend: a manifold from polygons that are none. Sides are paired, faces turned, vertices split, openings closed, in
-// this order; each step leaves a smaller problem to the next.
+// MeshBuilder::mend: a manifold from polygons that are none. Sides are paired where an edge has two; faces wound against each other
+// are turned; edges with more sides are pulled apart; then vertices are split and openings closed. Each step leaves a smaller
+// problem to the next, and none searches: the whole is linear, but for sorting the few sides of a crowded edge.
 #include "dlfl/errors.h"
 #include "dlfl/mesh_builder.h"
 
@@ -7,18 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace druse {
 
 namespace {
 
-constexpr std::uint32_t none = Corner::none;
-
-/// Sets of faces that hang together, each face with its winding (0 or 1) against the root of its set.
+/// Sets of faces that hang together, each face with its winding against the root of its set (union-find with parity).
 class WindingSets {
 public:
-    explicit WindingSets(std::uint32_t faces) : parent_(faces), winding_(faces, 0), size_(faces, 1)
+    explicit WindingSets(std::uint32_t faces) : parent_(faces), turned_(faces, 0), size_(faces, 1)
     {
         std::iota(parent_.begin(), parent_.end(), 0u);
     }
@@ -31,16 +31,16 @@ public:
         std::uint32_t root = f;
         bool turned = false;
         while (parent_[root] != root) {
-            turned ^= winding_[root] != 0;
+            turned ^= turned_[root] != 0;
             root = parent_[root];
         }
         // Hang everything on the way directly below the root.
         bool here = turned;
         while (parent_[f] != root && f != root) {
             const std::uint32_t up = parent_[f];
-            const bool own = winding_[f] != 0;
+            const bool own = turned_[f] != 0;
             parent_[f] = root;
-            winding_[f] = here;
+            turned_[f] = here;
             here ^= own;
             f = up;
         }
@@ -54,263 +54,317 @@ public:
         if (a.root == b.root) return !between;
         if (size_[a.root] < size_[b.root]) std::swap(a, b);
         parent_[b.root] = a.root;
-        winding_[b.root] = between;
+        turned_[b.root] = between;
         size_[a.root] += size_[b.root];
         return true;
     }
 
 private:
     std::vector<std::uint32_t> parent_;
-    std::vector<std::uint8_t> winding_;
+    std::vector<std::uint8_t> turned_;
     std::vector<std::uint32_t> size_;
 };
 
-/// The polygons while they are being mended. A side is named by the corner it starts at.
+/// The polygons while they are being mended, in the columns of the mesh to be. A side is named by the corner it starts at.
 struct Polygons {
-    std::span<Vertex> vertex;             // of each corner
-    std::vector<std::uint32_t> next, previous, face;
-    std::vector<std::uint32_t> partner;   // of each side, none: open
-    std::vector<std::uint32_t> face_begin; // and one past the last
+    std::uint32_t vertices, faces, corners;
+    Vertex* vertex;
+    const Corner *next, *previous;
+    const Face* face;
+    const std::uint32_t* ends; // of the faces: one past the last corner
+    Corner* partner;           // of each side; none: open
 
-    std::uint32_t corners() const { return static_cast<std::uint32_t>(vertex.size()); }
-    std::uint32_t from(std::uint32_t side) const { return vertex[side].index; }
-    std::uint32_t to(std::uint32_t side) const { return vertex[next[side]].index; }
-    void pair(std::uint32_t s, std::uint32_t t)
+    std::uint32_t begin(std::uint32_t f) const { return f > 0 ? ends[f - 1] : 0; }
+    Vertex from(Corner side) const { return vertex[side.index]; }
+    Vertex to(Corner side) const { return vertex[next[side.index].index]; }
+    bool alone(Corner c) const { return next[c.index] == c; } // a point sphere: no side
+    void pair(Corner s, Corner t) const
     {
-        partner[s] = t;
-        partner[t] = s;
+        partner[s.index] = t;
+        partner[t.index] = s;
     }
 };
 
-/// All sides sorted so that those along one edge stand together: bucket by the end with fewer corners, then by the other end.
-std::vector<std::uint32_t> sides_by_edge(const Polygons& p, std::uint32_t vertices)
+/// The sides along edges with three sides or more, edge after edge.
+struct CrowdedEdges {
+    std::vector<Corner> sides;
+    std::vector<std::size_t> ends;
+};
+
+/// Pairs the two sides of every edge that has two, whichever way they run; says whether two of them run the same way.
+bool pair_sides(const Polygons& p, CrowdedEdges& crowded)
 {
-    std::vector<std::uint32_t> count(vertices, 0), begin(vertices + 1, 0);
-    for (const Vertex v : p.vertex) ++count[v.index];
-    const auto near = [&](std::uint32_t s) {
-        const std::uint32_t a = p.from(s), b = p.to(s);
-        return count[a] < count[b] || (count[a] == count[b] && a < b) ? a : b;
+    // A side hangs in a list at the lower-numbered of its vertices. In the list of one vertex, the sides with the same other
+    // end are chained, in the memory of their partners; `met` knows the last of each chain and the list it was made in.
+    struct Met {
+        std::uint32_t low;
+        Corner last;
     };
-    for (std::uint32_t s = 0; s < p.corners(); ++s)
-        if (p.next[s] != s) ++begin[near(s) + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<std::uint32_t> sides(begin.back()), fill(begin.begin(), begin.end() - 1);
-    for (std::uint32_t s = 0; s < p.corners(); ++s)
-        if (p.next[s] != s) sides[fill[near(s)]++] = s;
-    for (std::uint32_t v = 0; v < vertices; ++v) {
-        const auto far = [&](std::uint32_t s) { return p.from(s) == v ? p.to(s) : p.from(s); };
-        std::sort(sides.begin() + begin[v], sides.begin() + begin[v + 1], [&](std::uint32_t s, std::uint32_t t) {
-            return std::pair(far(s), s) < std::pair(far(t), t);
-        });
+    Column<Corner> lists, followers;
+    Column<Met> ends_met;
+    Corner* const list = lists.extend(p.vertices);
+    Corner* const following = followers.extend(p.corners);
+    Met* const met = ends_met.extend(p.vertices);
+    Corner* const earlier = p.partner;
+    std::fill_n(list, p.vertices, Corner());
+    std::fill_n(met, p.vertices, Met{Vertex::none, Corner()});
+    for (std::uint32_t i = p.corners; i-- > 0;) {
+        const Corner s(i);
+        earlier[i] = Corner();
+        if (p.alone(s)) continue;
+        Corner& first = list[std::min(p.from(s), p.to(s)).index];
+        following[i] = first;
+        first = s;
     }
-    return sides;
+    bool same_way = false;
+    std::vector<Corner> chain;
+    for (std::uint32_t low = 0; low < p.vertices; ++low) {
+        const auto far = [&](Corner s) -> Met& { return met[std::max(p.from(s), p.to(s)).index]; };
+        for (Corner s = list[low]; s.valid(); s = following[s.index]) {
+            Met& m = far(s);
+            if (m.low == low) earlier[s.index] = m.last;
+            m = {low, s};
+        }
+        for (Corner s = list[low]; s.valid(); s = following[s.index]) {
+            if (far(s).last != s) continue;
+            chain.clear();
+            for (Corner t = s; t.valid(); t = std::exchange(earlier[t.index], Corner())) chain.push_back(t);
+            if (chain.size() == 2) {
+                p.pair(chain[0], chain[1]);
+                same_way = same_way || p.from(chain[0]) == p.from(chain[1]);
+            } else if (chain.size() > 2) {
+                crowded.sides.insert(crowded.sides.end(), chain.rbegin(), chain.rend());
+                crowded.ends.push_back(crowded.sides.size());
+            }
+        }
+    }
+    return same_way;
 }
 
-/// Pairs three or more sides along one edge: walking around it, a side that runs down is joined to the next one that runs up,
-/// so that each pair encloses a wedge of the solid. What finds no mate stays open.
-void pair_fan(Polygons& p, std::span<const std::uint32_t> sides, std::span<const Point> positions, std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs)
+void turn_face(const Polygons& p, std::uint32_t f)
 {
-    const std::uint32_t low = std::min(p.from(sides[0]), p.to(sides[0])), high = std::max(p.from(sides[0]), p.to(sides[0]));
-    const Vector axis = unit(positions[high] - positions[low]);
+    const std::uint32_t begin = p.begin(f), end = p.ends[f];
+    std::reverse(p.vertex + begin + 1, p.vertex + end); // the first vertex stays the first
+    // The side that started at corner k from the beginning now starts at corner k from the end, and its partner must know.
+    std::reverse(p.partner + begin, p.partner + end);
+    for (std::uint32_t s = begin; s < end; ++s) {
+        Corner& q = p.partner[s];
+        if (!q.valid()) continue;
+        if (q.index >= begin && q.index < end) q = Corner(begin + (end - 1 - q.index)); // both sides lie in this face
+        else p.partner[q.index] = Corner(s);
+    }
+}
+
+/// Turns the fewer faces of each set that hangs together, of two equal parts the one without the lowest face.
+void wind_alike(const Polygons& p, CrowdedEdges& crowded, Repairs& repairs)
+{
+    WindingSets sets(p.faces);
+    for (std::uint32_t i = 0; i < p.corners; ++i) {
+        const Corner s(i), t = p.partner[i];
+        if (!t.valid() || t < s) continue;
+        const Face f = p.face[s.index], g = p.face[t.index];
+        if (!sets.join(f.index, g.index, p.from(s) == p.from(t)))
+            throw CommandError(fmt::format("the surface is one-sided (like a Möbius strip): face {} can be wound neither way", g.index));
+    }
+    std::vector<std::uint32_t> size(p.faces, 0), against(p.faces, 0);
+    std::vector<std::int8_t> lowest_against(p.faces, -1); // whether the lowest face of a set runs against its root
+    for (std::uint32_t f = 0; f < p.faces; ++f) {
+        const auto [root, turned] = sets.find(f);
+        ++size[root];
+        against[root] += turned ? 1 : 0;
+        if (lowest_against[root] < 0) lowest_against[root] = turned ? 1 : 0;
+    }
+    std::vector<bool> turned(p.faces, false);
+    for (std::uint32_t f = 0; f < p.faces; ++f) {
+        const auto place = sets.find(f);
+        const std::uint32_t root = place.root;
+        const bool most = 2 * std::uint64_t(against[root]) == size[root] ? lowest_against[root] == 1 : 2 * std::uint64_t(against[root]) > size[root];
+        if (place.turned == most) continue;
+        turn_face(p, f);
+        turned[f] = true;
+        ++repairs.faces_turned;
+    }
+    for (Corner& s : crowded.sides)
+        if (const std::uint32_t f = p.face[s.index].index; turned[f]) s = Corner(p.begin(f) + (p.ends[f] - 1 - s.index));
+}
+
+/// Pairs the sides along a crowded edge: going around it, a side that runs down is joined to the next one that runs up, so that
+/// each pair encloses a wedge of the solid. What finds no mate stays open.
+void pair_fan(const Polygons& p, std::span<const Corner> sides, std::span<const Point> position)
+{
+    const Vertex low = std::min(p.from(sides[0]), p.to(sides[0])), high = std::max(p.from(sides[0]), p.to(sides[0]));
+    const Point& origin = position[low.index];
+    const Vector axis = unit(position[high.index] - origin);
     const Vector aside = std::abs(axis.x) < 0.7 ? Vector(1, 0, 0) : Vector(0, 1, 0);
     const Vector x = unit(glm::cross(axis, aside)), y = glm::cross(axis, x);
     struct Ray {
         double angle;
-        std::uint32_t side;
+        Corner side;
         bool up;
     };
     std::vector<Ray> fan;
-    for (const std::uint32_t s : sides) {
-        // The face leaves the edge towards its other corners.
-        Vector away(0.0);
-        for (std::uint32_t c = p.next[p.next[s]]; c != s; c = p.next[c]) away += positions[p.from(c)] - positions[low];
+    for (const Corner s : sides) {
+        // The face leaves the edge square to it and to the face's normal (Newell's, so that concave faces count too).
+        Vector normal(0.0);
+        Point here = position[p.from(s).index] - origin;
+        for (Corner c = p.next[s.index];; c = p.next[c.index]) {
+            const Point there = position[p.from(c).index] - origin;
+            normal += glm::cross(here, there);
+            here = there;
+            if (c == s) break;
+        }
         const bool up = p.from(s) == low;
+        const Vector away = unit(glm::cross(normal, up ? axis : -axis));
         fan.push_back({std::atan2(glm::dot(away, y), glm::dot(away, x)), s, up});
     }
-    // At one angle the side that closes a wedge comes before the one that opens the next.
+    // Faces upon each other count as being at the same angle, however they are rounded.
+    constexpr double same = 1e-7;
+    std::sort(fan.begin(), fan.end(), [](const Ray& a, const Ray& b) { return std::pair(a.angle, a.side) < std::pair(b.angle, b.side); });
+    while (fan.back().angle - fan.front().angle > 2 * std::numbers::pi - same) { // on either side of the cut at ±π
+        fan.back().angle = fan.front().angle;
+        std::rotate(fan.begin(), fan.end() - 1, fan.end());
+    }
+    for (std::size_t i = 1; i < fan.size(); ++i)
+        if (fan[i].angle - fan[i - 1].angle < same) fan[i].angle = fan[i - 1].angle;
+    // There the side that closes a wedge comes before the one that opens the next.
     std::sort(fan.begin(), fan.end(), [](const Ray& a, const Ray& b) {
         return std::tuple(a.angle, !a.up, a.side) < std::tuple(b.angle, !b.up, b.side);
     });
-    std::vector<std::uint32_t> waiting; // sides that run down, not joined yet
-    for (int turn = 0; turn < 2; ++turn)
+    std::vector<Corner> waiting; // sides that run down, not joined yet
+    for (int round = 0; round < 2; ++round)
         for (Ray& ray : fan) {
-            if (ray.side == none) continue;
-            if (!ray.up && turn == 0) {
+            if (!ray.side.valid()) continue;
+            if (!ray.up && round == 0) {
                 waiting.push_back(ray.side);
-                ray.side = none;
+                ray.side = Corner();
             } else if (ray.up && !waiting.empty()) {
-                pairs.emplace_back(waiting.back(), ray.side);
+                p.pair(waiting.back(), ray.side);
                 waiting.pop_back();
-                ray.side = none;
+                ray.side = Corner();
             }
         }
 }
 
-void turn_face(Polygons& p, std::uint32_t f)
+/// Gives each fan of corners around a vertex a vertex of its own. Returns the vertices that were copied, once for each copy.
+std::vector<Vertex> split_vertices(const Polygons& p, const CrowdedEdges& crowded, Repairs& repairs)
 {
-    const std::uint32_t begin = p.face_begin[f], n = p.face_begin[f + 1] - begin;
-    std::reverse(p.vertex.begin() + begin + 1, p.vertex.begin() + begin + n); // the first vertex stays the first
-    // Side k from corner k to k + 1 is now the side from corner n − 1 − k.
-    std::reverse(p.partner.begin() + begin, p.partner.begin() + begin + n);
-    for (std::uint32_t s = begin; s < begin + n; ++s)
-        if (p.partner[s] != none) {
-            const std::uint32_t q = p.partner[s];
-            const bool own = q >= begin && q < begin + n; // both sides in this face: both names change
-            if (own) p.partner[s] = begin + (n - 1 - (q - begin));
-            else p.partner[q] = s;
+    // Vertices at the ends of crowded edges come apart with them, and are not counted.
+    std::vector<bool> done(p.corners, false), met(p.vertices, false), counted(p.vertices, false);
+    for (const Corner s : crowded.sides) counted[p.from(s).index] = counted[p.to(s).index] = true;
+    std::vector<Vertex> copied;
+    for (std::uint32_t i = 0; i < p.corners; ++i) {
+        if (done[i]) continue;
+        const Corner first(i);
+        const Vertex v = p.from(first);
+        Vertex own = v;
+        if (met[v.index]) {
+            own = Vertex(p.vertices + static_cast<std::uint32_t>(copied.size()));
+            copied.push_back(v);
+            if (!counted[v.index]) ++repairs.vertices_split;
+            counted[v.index] = true;
         }
-}
-
-void wind_alike(Polygons& p, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& plain,
-                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& split, Repairs& repairs)
-{
-    const auto faces = static_cast<std::uint32_t>(p.face_begin.size() - 1);
-    WindingSets sets(faces);
-    for (const auto& [s, t] : plain) {
-        if (!sets.join(p.face[s], p.face[t], p.from(s) == p.from(t)))
-            throw CommandError(fmt::format("the surface is one-sided (like a Möbius strip): face {} can be wound neither way", p.face[t]));
-        p.pair(s, t);
-    }
-    // A pair chosen by us where many faces meet must not make a one-sided surface of a file that has none: it stays open then.
-    for (const auto& [s, t] : split)
-        if (sets.join(p.face[s], p.face[t], p.from(s) == p.from(t))) p.pair(s, t);
-
-    std::vector<std::uint32_t> size(faces, 0), turned(faces, 0);
-    for (std::uint32_t f = 0; f < faces; ++f) {
-        const auto [root, against] = sets.find(f);
-        ++size[root];
-        turned[root] += against ? 1 : 0;
-    }
-    std::vector<std::int8_t> first_is_turned(faces, -1); // whether the lowest face of a set runs against its root
-    for (std::uint32_t f = 0; f < faces; ++f) {
-        const auto [root, against] = sets.find(f);
-        if (first_is_turned[root] < 0) first_is_turned[root] = against;
-        const bool most_turned = 2 * turned[root] == size[root] ? first_is_turned[root] != 0 : 2 * turned[root] > size[root];
-        if (against != most_turned) {
-            turn_face(p, f);
-            ++repairs.faces_turned;
+        met[v.index] = true;
+        const auto take = [&](Corner c) {
+            done[c.index] = true;
+            p.vertex[c.index] = own;
+        };
+        take(first);
+        if (p.alone(first)) continue;
+        Corner c = p.partner[p.previous[i].index]; // counter-clockwise, all around or to the end of the fan
+        for (; c.valid() && c != first; c = p.partner[p.previous[c.index].index]) take(c);
+        if (c == first) continue;
+        for (c = p.partner[i]; c.valid(); c = p.partner[c.index]) { // clockwise from the start
+            c = p.next[c.index];
+            take(c);
         }
     }
-}
-
-/// Gives each fan of corners around a vertex a vertex of its own. Returns the positions of the vertices added.
-std::vector<std::uint32_t> split_vertices(Polygons& p, std::uint32_t vertices, Repairs& repairs)
-{
-    std::vector<std::uint32_t> copy_of;
-    std::vector<bool> done(p.corners(), false), met(vertices, false), counted(vertices, false);
-    for (std::uint32_t c = 0; c < p.corners(); ++c) {
-        if (done[c]) continue;
-        const std::uint32_t v = p.from(c);
-        const bool again = met[v];
-        met[v] = true;
-        if (again) {
-            if (!counted[v]) ++repairs.vertices_split;
-            counted[v] = true;
-            copy_of.push_back(v);
-        }
-        const Vertex own(again ? vertices + static_cast<std::uint32_t>(copy_of.size()) - 1 : v);
-        std::uint32_t d = c;
-        do { // counter-clockwise, to the end of the fan or all around
-            done[d] = true;
-            p.vertex[d] = own;
-            d = p.next[d] == d ? c : p.partner[p.previous[d]];
-        } while (d != none && d != c);
-        if (d == none)
-            for (d = p.partner[c]; d != none; d = p.partner[d]) { // clockwise from the start
-                d = p.next[d];
-                done[d] = true;
-                p.vertex[d] = own;
-            }
-    }
-    return copy_of;
+    return copied;
 }
 
 } // namespace
 
 Mesh MeshBuilder::mend(Repairs& repairs)
 {
-    const std::uint32_t corners = corners_.size(), faces = ends_.size(), vertices = positions_.size();
-    Polygons p;
-    p.vertex = {corners_.write(0, corners), corners};
-    p.next.resize(corners);
-    p.previous.resize(corners);
-    p.face.resize(corners);
-    p.partner.assign(corners, none);
-    p.face_begin.push_back(0);
-    for (std::uint32_t f = 0; f < faces; ++f) {
-        const std::uint32_t begin = p.face_begin[f], end = ends_[f];
-        for (std::uint32_t c = begin; c < end; ++c) {
-            p.next[c] = c + 1 < end ? c + 1 : begin;
-            p.previous[c] = c > begin ? c - 1 : end - 1;
-            p.face[c] = f;
-            ASSERT(end == begin + 1 || p.from(c) != p.vertex[p.next[c]].index, "no side from a vertex to itself");
-        }
-        p.face_begin.push_back(end);
-    }
-
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> plain, split;
-    const auto sides = sides_by_edge(p, vertices);
-    for (std::size_t i = 0; i < sides.size();) {
-        const auto ends = [&](std::uint32_t s) { return std::minmax({p.from(s), p.to(s)}); };
-        std::size_t j = i + 1;
-        while (j < sides.size() && ends(sides[j]) == ends(sides[i])) ++j;
-        if (j - i == 2) plain.emplace_back(sides[i], sides[i + 1]);
-        if (j - i > 2) {
-            pair_fan(p, std::span(sides).subspan(i, j - i), positions_.view(), split);
-            ++repairs.edges_split;
-        }
-        i = j;
-    }
-    wind_alike(p, plain, split, repairs);
-    for (const std::uint32_t v : split_vertices(p, vertices, repairs)) positions_.push_back(Point(positions_[v]));
-
-    // The mesh: the sides of faces, then for each open side one that runs against it, in the cycle of its boundary.
+    const std::uint32_t corners = corners_.size(), faces = ends_.size();
     Mesh mesh;
-    std::vector<std::uint32_t> open, open_into(positions_.size(), none);
-    for (std::uint32_t s = 0; s < corners; ++s)
-        if (p.partner[s] == none && p.next[s] != s) {
-            open_into[p.to(s)] = static_cast<std::uint32_t>(open.size());
+    Column<Corner> partners;
+    Polygons p{positions_.size(), faces, corners, corners_.write(0, corners), nullptr, nullptr, nullptr, ends_.view().data(), partners.extend(corners)};
+    {
+        Corner* const next = mesh.corner_next_.extend(corners);
+        Corner* const previous = mesh.corner_previous_.extend(corners);
+        Face* const face = mesh.corner_face_.extend(corners);
+        Corner* const start = mesh.face_corner_.extend(faces);
+        for (std::uint32_t f = 0; f < faces; ++f) {
+            const std::uint32_t begin = p.begin(f), end = p.ends[f];
+            start[f] = Corner(begin);
+            for (std::uint32_t c = begin; c < end; ++c) {
+                next[c] = Corner(c + 1 < end ? c + 1 : begin);
+                previous[c] = Corner(c > begin ? c - 1 : end - 1);
+                face[c] = Face(f);
+            }
+        }
+        p.next = next;
+        p.previous = previous;
+        p.face = face;
+    }
+
+    CrowdedEdges crowded;
+    if (pair_sides(p, crowded)) wind_alike(p, crowded, repairs);
+    std::size_t begin = 0;
+    for (const std::size_t end : crowded.ends) {
+        pair_fan(p, std::span(crowded.sides).subspan(begin, end - begin), positions_.view());
+        begin = end;
+    }
+    repairs.edges_split = static_cast<std::uint32_t>(crowded.ends.size());
+    for (const Vertex v : split_vertices(p, crowded, repairs)) positions_.push_back(positions_[v.index]);
+
+    // For each open side one that runs against it, in the cycle of its boundary. At a vertex at most one open side ends now.
+    std::vector<Corner> open, against(positions_.size()); // against: at a vertex, the side against the open one that ends there
+    for (std::uint32_t i = 0; i < corners; ++i)
+        if (const Corner s(i); !p.partner[i].valid() && !p.alone(s)) {
+            against[p.to(s).index] = Corner(corners + static_cast<std::uint32_t>(open.size()));
             open.push_back(s);
         }
-    const auto all = corners + static_cast<std::uint32_t>(open.size());
-    Corner* const next = mesh.corner_next_.extend(all);
-    Corner* const previous = mesh.corner_previous_.extend(all);
-    Face* const face = mesh.corner_face_.extend(all);
-    Edge* const edge = mesh.corner_edge_.extend(all);
-    std::fill_n(edge, all, Edge());
-    mesh.vertex_corner_.extend(positions_.size());
-    for (std::uint32_t c = corners; c-- > 0;) {
-        next[c] = Corner(p.next[c]);
-        previous[c] = Corner(p.previous[c]);
-        face[c] = Face(p.face[c]);
-        mesh.vertex_corner_.set(p.vertex[c].index, Corner(c));
+    const auto opened = static_cast<std::uint32_t>(open.size());
+    ASSERT(std::uint64_t(corners) + opened < Face::boundary_bit, "fewer than 2^31 corners");
+    Vertex* const vertex = corners_.extend(opened) - corners;
+    Corner* const next = mesh.corner_next_.extend(opened) - corners;
+    Corner* const previous = mesh.corner_previous_.extend(opened) - corners;
+    Face* const face = mesh.corner_face_.extend(opened) - corners;
+    Corner* const partner = partners.extend(opened) - corners;
+    for (std::uint32_t k = 0; k < opened; ++k) {
+        const Corner s = open[k], t(corners + k), after = against[vertex[s.index].index];
+        ASSERT(after.valid(), "an open side after each open side");
+        vertex[t.index] = vertex[next[s.index].index];
+        next[t.index] = after;
+        previous[after.index] = t;
+        face[t.index] = Face();
+        partner[t.index] = s;
+        partner[s.index] = t;
     }
-    for (std::uint32_t f = 0; f < faces; ++f) mesh.face_corner_.push_back(Corner(p.face_begin[f]));
-    for (std::uint32_t k = 0; k < open.size(); ++k) p.partner[open[k]] = corners + k;
-    for (std::uint32_t s = 0; s < corners; ++s)
-        if (p.next[s] != s && !edge[s].valid()) {
-            const std::uint32_t t = p.partner[s];
-            edge[s] = edge[t] = Edge(mesh.edge_corners_.size());
-            mesh.edge_corners_.push_back({Corner(s), Corner(t)});
-        }
-    for (std::uint32_t k = 0; k < open.size(); ++k) {
-        // The side against open[k] starts where that one ends, and goes on with the open side that ends where it starts.
-        corners_.push_back(Vertex(p.to(open[k])));
-        p.vertex = {corners_.write(0, corners), corners};
-        const std::uint32_t after = open_into[p.from(open[k])];
-        ASSERT(after != none, "an open side after each open side");
-        next[corners + k] = Corner(corners + after);
-        previous[corners + after] = Corner(corners + k);
-        face[corners + k] = Face();
-    }
-    for (std::uint32_t k = 0; k < open.size(); ++k) {
+    for (std::uint32_t k = 0; k < opened; ++k) {
         if (face[corners + k].valid()) continue;
         const Face made = Face::boundary(mesh.boundary_count());
         mesh.boundary_corner_.push_back(Corner(corners + k));
         for (Corner c(corners + k); !face[c.index].valid(); c = next[c.index]) face[c.index] = made;
     }
-    repairs.boundary_edges = static_cast<std::uint32_t>(open.size());
+    repairs.boundary_edges = opened;
     repairs.boundary_loops = mesh.boundary_count();
+
+    // Edges, as the faces first use them, and a corner for each vertex.
+    Edge* const edge = mesh.corner_edge_.extend(corners + opened);
+    Corner* const vertex_corner = mesh.vertex_corner_.extend(positions_.size());
+    mesh.edge_corners_.reserve((corners + opened) / 2);
+    for (std::uint32_t c = corners; c-- > 0;) vertex_corner[vertex[c].index] = Corner(c);
+    for (std::uint32_t c = 0; c < corners; ++c) {
+        const Corner across = partner[c];
+        if (!across.valid()) {
+            edge[c] = Edge();
+        } else if (across.index > c) {
+            edge[c] = edge[across.index] = Edge(mesh.edge_corners_.size());
+            mesh.edge_corners_.push_back({Corner(c), across});
+        }
+    }
     hand_over(mesh);
     return mesh;
 }
