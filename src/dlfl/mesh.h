@@ -205,6 +205,10 @@ public:
 
     void clear() { replace_with(Mesh()); }
 
+    /// Turns the components that hold these faces inside out: every face of theirs runs the other way from the same start vertex.
+    /// All ids stay. Precondition: no holes. Cost: O(mesh).
+    void reverse_components(std::span<const Face> faces);
+
     // --- going back -----------------------------------------------------------------------------------------------------
 
     /// Starts to record what changes. The cost of recording, and of exchange(), follows the change, not the mesh.
@@ -225,7 +229,9 @@ public:
     std::size_t bytes() const;
 
 private:
+    friend class MeshAssembler;
     friend class MeshBuilder;
+    friend class MeshTables;
     friend class MeshChecker;
     friend struct MeshTestAccess; // tests break a mesh through it, to see that check() notices
 
