@@ -2,8 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace druse {
+
+namespace {
+
+void describe(int id, const Material& material, GroupTable& groups)
+{
+    // Our own writers give every group a colour; the one that it would have anyway is not its own.
+    if (material.colour && *material.colour != GroupTable::default_colour(id)) groups.set_colour(id, *material.colour);
+    if (!material.group_name.empty()) groups.set_name(id, material.group_name);
+}
+
+} // namespace
 
 void ColourNumbers::add_cube(std::uint32_t outer)
 {
@@ -36,6 +48,17 @@ bool FacePaints::named_as_groups(const std::vector<bool>& used) const
     return true;
 }
 
+void FacePaints::colour_groups(std::span<const std::int32_t> faces, std::span<const std::int32_t> ids, const Materials& materials,
+                               GroupTable& groups) const
+{
+    std::unordered_set<std::int32_t> met;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        if (f > 0 && ids[f] == ids[f - 1]) continue;
+        if (!met.insert(ids[f]).second) continue;
+        if (const Material* material = materials.find(paints_[static_cast<std::size_t>(faces[f])].material)) describe(ids[f], *material, groups);
+    }
+}
+
 bool FacePaints::to_groups(std::span<std::int32_t> faces, const Materials& materials, GroupTable& groups) const
 {
     if (paints_.size() == 1) return false;
@@ -51,9 +74,7 @@ bool FacePaints::to_groups(std::span<std::int32_t> faces, const Materials& mater
             const int id = *group_of_material(paints_[paint].material);
             group_of_paint[paint] = id;
             const Material* material = materials.find(paints_[paint].material);
-            // Our own writer gives every group a colour; the one that it would have anyway is not its own.
-            if (material && material->colour && *material->colour != GroupTable::default_colour(id)) groups.set_colour(id, *material->colour);
-            if (material && !material->group_name.empty()) groups.set_name(id, material->group_name);
+            if (material) describe(id, *material, groups);
         }
     } else {
         int last = 0;

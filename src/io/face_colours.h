@@ -55,6 +55,9 @@ public:
 
     /// Puts group ids in place of paints and the groups' colours and names into `groups`; false if no face has a paint.
     bool to_groups(std::span<std::int32_t> faces, const Materials& materials, GroupTable& groups) const;
+    /// Puts the colours and names of groups that are known already into `groups`: those of the first face of each.
+    void colour_groups(std::span<const std::int32_t> faces, std::span<const std::int32_t> ids, const Materials& materials,
+                       GroupTable& groups) const;
 
 private:
     struct Paint {

@@ -1,6 +1,7 @@
 #include "io/format.h"
 
 #include "dlfl/errors.h"
+#include "io/dlfl_file.h"
 #include "io/obj.h"
 #include "io/stl.h"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr Format all_formats[] = {
     {"obj", "Wavefront OBJ", read_obj, write_obj},
     {"stl", "Stereolithography", read_stl, write_stl},
+    {"dlfl", "TopMod", read_dlfl, write_dlfl},
 };
 
 std::string extensions()

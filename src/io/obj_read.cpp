@@ -83,7 +83,7 @@ private:
 
     std::vector<std::uint32_t> polygon_;
     std::vector<std::array<std::uint32_t, 2>> lines_;
-    std::uint64_t repeated_ = 0, thin_faces_ = 0, unknown_ = 0;
+    std::uint64_t standing_lines_ = 0, unknown_ = 0;
     std::string first_unknown_;
 };
 
@@ -181,23 +181,13 @@ const char* ObjReader::corner_in_full(const char* p, std::uint32_t& v)
 const char* ObjReader::face(const char* p)
 {
     polygon_.clear();
-    int entries = 0;
     std::uint32_t v = 0;
     for (p = scan::skip_blanks(p, line_); *p != '\n' && *p != '#'; p = scan::skip_blanks(p, line_)) {
         p = corner(p, v);
-        if (entries < 3) ++entries;
-        if (!polygon_.empty() && polygon_.back() == v) ++repeated_;
-        else polygon_.push_back(v);
+        polygon_.push_back(v);
     }
-    if (entries < 3) fail(fmt::format("a face with {} corner{}; expected at least 3", entries, entries == 1 ? "" : "s"));
-    if (polygon_.size() > 1 && polygon_.front() == polygon_.back()) {
-        polygon_.pop_back();
-        ++repeated_;
-    }
-    if (polygon_.size() < 3) {
-        ++thin_faces_;
-        return p;
-    }
+    if (polygon_.size() < 3)
+        fail(fmt::format("a face with {} corner{}; expected at least 3", polygon_.size(), polygon_.size() == 1 ? "" : "s"));
     builder_.add_face(polygon_, paint_);
     return p;
 }
@@ -208,7 +198,7 @@ const char* ObjReader::polyline(const char* p)
     std::uint32_t before = 0, v = 0;
     for (p = scan::skip_blanks(p, line_); *p != '\n' && *p != '#'; p = scan::skip_blanks(p, line_)) {
         p = corner(p, v);
-        if (entries > 0 && v == before) ++repeated_;
+        if (entries > 0 && v == before) ++standing_lines_;
         else if (entries > 0) lines_.push_back({before, v});
         before = v;
         if (entries < 2) ++entries;
@@ -310,10 +300,8 @@ Model ObjReader::read()
     Model model;
     if (unknown_ > 0)
         model.notes.push_back(fmt::format("{} line{} passed over, first {}", unknown_, unknown_ == 1 ? " was" : "s were", first_unknown_));
-    if (repeated_ > 0)
-        model.notes.push_back(fmt::format("{} vert{} named twice in a row: once left out", repeated_, repeated_ == 1 ? "ex was" : "ices were"));
-    if (thin_faces_ > 0)
-        model.notes.push_back(fmt::format("{} face{} fewer than 3 different corners: left out", thin_faces_, thin_faces_ == 1 ? " has" : "s have"));
+    if (standing_lines_ > 0)
+        model.notes.push_back(fmt::format("{} line{} from a point to itself: left out", standing_lines_, standing_lines_ == 1 ? " goes" : "s go"));
     make_groups(model);
     if (!lines_.empty()) make_graph(model);
 

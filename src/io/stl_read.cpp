@@ -60,15 +60,13 @@ private:
     const char* word(const char* p);
     const char* number(const char* p, double& value);
     void add_corner(const Point& p);
-    void end_polygon();
+    void end_facet();
     Model finish();
     [[noreturn]] void fail(const std::string& what) const { throw InputError(source_.name(), line_, what); }
 
     ByteSource& source_;
     MeshBuilder builder_;
     PointWelder weld_{builder_};
-    std::vector<std::uint32_t> polygon_;
-    std::uint64_t flat_ = 0;
     std::vector<std::string> notes_;
 
     enum class Inside { nothing, facet, loop } inside_ = Inside::nothing;
@@ -78,16 +76,12 @@ private:
 
 void StlReader::add_corner(const Point& p)
 {
-    const std::uint32_t v = weld_.vertex(p);
-    if (polygon_.empty() || polygon_.back() != v) polygon_.push_back(v);
+    builder_.add_corner(weld_.vertex(p));
 }
 
-void StlReader::end_polygon()
+void StlReader::end_facet()
 {
-    if (polygon_.size() > 1 && polygon_.front() == polygon_.back()) polygon_.pop_back();
-    if (polygon_.size() < 3) ++flat_;
-    else builder_.add_face(polygon_);
-    polygon_.clear();
+    builder_.end_face();
     if (builder_.corner_count() > most_elements) throw InputError(source_.name(), fmt::format("more than {} corners", most_elements));
 }
 
@@ -111,7 +105,7 @@ void StlReader::read_binary()
                     throw InputError(source_.name(), fmt::format("triangle {}: coordinate {}: expected at most {} in size", done, place[i],
                                                                  largest_coordinate));
             for (int i = 0; i < 9; i += 3) add_corner({place[i], place[i + 1], place[i + 2]});
-            end_polygon();
+            end_facet();
         }
         if (there < wanted)
             throw InputError(source_.name(), fmt::format("ends in triangle {}, its header promises {}", std::uint64_t(done) + 1, promised));
@@ -156,7 +150,7 @@ const char* StlReader::word(const char* p)
     } else if (is("endloop")) {
         must_be(Inside::loop, "'outer loop' first");
         if (corners_in_loop_ < 3) fail(fmt::format("a facet with {} corner{}; expected at least 3", corners_in_loop_, corners_in_loop_ == 1 ? "" : "s"));
-        end_polygon();
+        end_facet();
         inside_ = Inside::facet;
     } else if (is("endfacet")) {
         must_be(Inside::facet, "'endloop' first");
@@ -191,17 +185,16 @@ void StlReader::read_ascii()
 
 Model StlReader::finish()
 {
-    if (builder_.face_count() == 0) throw InputError(source_.name(), flat_ == 0 ? "holds no triangles" : "holds no triangle with three places");
+    if (builder_.face_count() == 0) throw InputError(source_.name(), "holds no triangles");
     Model model;
     model.notes = std::move(notes_);
-    if (flat_ > 0) model.notes.push_back(fmt::format("{} facet{} fewer than three places: left out", flat_, flat_ == 1 ? " has" : "s have"));
     Repairs repairs;
     try {
         model.mesh = builder_.build(repairs);
     } catch (const CommandError& error) {
         throw InputError(source_.name(), error.what());
     }
-    repairs.loose_vertices = 0; // corners of facets left out
+    repairs.loose_vertices = 0; // corners of facets left out, not something the file lists
     for (std::string& note : repairs.notes()) model.notes.push_back(std::move(note));
     return model;
 }
