@@ -201,6 +201,16 @@ std::uint32_t Mesh::replace_faces(std::span<const Face> faces, std::span<const P
     return first_vertex;
 }
 
+namespace {
+
+template <class H>
+void copy_shifted(H* __restrict out, const std::uint32_t* __restrict in, std::uint32_t count, std::uint32_t shift)
+{
+    for (std::uint32_t k = 0; k < count; ++k) out[k].index = in[k] + shift;
+}
+
+} // namespace
+
 void Mesh::replace_in_order(std::span<const Face> faces, std::span<const Patch* const> patch_of, std::uint32_t first_vertex,
                             std::uint32_t first_edge, std::uint32_t first_face, std::uint32_t first_corner)
 {
@@ -234,11 +244,11 @@ void Mesh::replace_in_order(std::span<const Face> faces, std::span<const Patch* 
         const std::uint32_t corner0 = first_corner + c, vertex0 = first_vertex + v, edge0 = first_edge + e, face0 = first_face + f;
         const auto corners = static_cast<std::uint32_t>(patch.vertex_.size());
         // New corner k of the template counts as k here and as corner0 + k in the mesh; where it refers to the ring, it is mended after.
-        for (std::uint32_t k = 0; k < corners; ++k) vertex_out[c + k] = Vertex(patch.vertex_[k] + vertex0);
-        for (std::uint32_t k = 0; k < corners; ++k) next_out[c + k] = Corner(patch.next_[k] + corner0);
-        for (std::uint32_t k = 0; k < corners; ++k) previous_out[c + k] = Corner(patch.previous_[k] + corner0);
-        for (std::uint32_t k = 0; k < corners; ++k) face_out[c + k] = Face(patch.face_[k] + face0);
-        for (std::uint32_t k = 0; k < corners; ++k) edge_out[c + k] = Edge(patch.edge_[k] + edge0);
+        copy_shifted(vertex_out + c, patch.vertex_.data(), corners, vertex0);
+        copy_shifted(next_out + c, patch.next_.data(), corners, corner0);
+        copy_shifted(previous_out + c, patch.previous_.data(), corners, corner0);
+        copy_shifted(face_out + c, patch.face_.data(), corners, face0);
+        copy_shifted(edge_out + c, patch.edge_.data(), corners, edge0);
         for (const auto& x : patch.vertex_fixups_) vertex_out[c + x.at] = corner_vertex_[ring[x.ring].index];
         for (const auto& x : patch.next_fixups_) next_out[c + x.at] = ring[x.ring];
         for (const auto& x : patch.previous_fixups_) previous_out[c + x.at] = ring[x.ring];

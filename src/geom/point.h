@@ -14,7 +14,7 @@ using Point2 = glm::dvec2;
 inline Vector unit(const Vector& v, double least = 0.0, const Vector& fallback = Vector(0.0))
 {
     const double length = glm::length(v);
-    return length > least ? v / length : fallback;
+    return length > least ? v * (1.0 / length) : fallback;
 }
 
 /// The axis-aligned box of a set of points; empty until a point is added.

@@ -27,6 +27,11 @@ Vector BaseFrame::crest(int i) const
     const Vector& a = wall[i - 1];
     const Vector& b = wall[i];
     const Vector up = glm::cross(outward[i - 1], along[i - 1]) + glm::cross(outward[i], along[i]);
+    // Two walls at an angle share one line. Where they are nearly one plane (a straight corner), or nearly opposite, that line
+    // loses its digits, and what is left of `up` in both walls takes its place; the two agree wherever both are good.
+    const Vector line = glm::cross(a, b);
+    if (const double square = glm::dot(line, line); square > 1e-6)
+        return line * (std::copysign(1.0, glm::dot(line, up)) / std::sqrt(square));
     return unit(without(without(up, a + b, same_plane), a - b, same_plane));
 }
 
@@ -42,20 +47,20 @@ Vector BaseFrame::meet(const Vector& a, const Vector& b) const
     return unit(weight * unit(line) + (1.0 - weight) * steepest);
 }
 
-Hinge::Hinge(const Point& p, const Point& q, const Vector& face_normal, double angle)
+Hinge::Hinge(const Point& p, const Point& q, const Vector& face_normal, const Angle& angle)
 {
     const Vector side = unit(q - p);
-    away = std::cos(angle) * glm::cross(face_normal, side) - std::sin(angle) * face_normal;
+    const Vector inward = glm::cross(face_normal, side);
+    away = angle.cosine * inward - angle.sine * face_normal;
     normal = glm::cross(away, side);
 }
 
-FrameMaker::FrameMaker(double angle_in_degrees)
+Angle::Angle(double degrees)
+    : sine(std::sin(radians(degrees))), cosine(degrees == 90.0 ? 0.0 : std::cos(radians(degrees))) // upright is 0, not 6e-17
 {
-    frame_.angle = radians(angle_in_degrees);
-    sine_ = std::sin(frame_.angle);
-    // The cosine of an upright wall is 0, not 6e-17.
-    cosine_ = angle_in_degrees == 90.0 ? 0.0 : std::cos(frame_.angle);
 }
+
+FrameMaker::FrameMaker(double angle_in_degrees) { frame_.angle = Angle(angle_in_degrees); }
 
 const BaseFrame& FrameMaker::measure(const Mesh& mesh, Face face, std::span<const Corner> ring, bool mitred)
 {
@@ -67,20 +72,21 @@ const BaseFrame& FrameMaker::measure(const Mesh& mesh, Face face, std::span<cons
     const auto foot = cycle(0), along = cycle(1), outward = cycle(2), climb = cycle(3), wall = cycle(4);
 
     for (int i = 0; i < n; ++i) foot[i] = mesh.position(ring[std::size_t(i)]);
-    Vector newell(0.0);
+    Vector newell(0.0), spoke(0.0); // the spokes run from corner 0, so that a face far from the origin loses no digits
     double total = 0.0, longest = 0.0, shortest = std::numeric_limits<double>::infinity();
     int shortest_at = 0;
     for (int i = 0; i < n; ++i) {
-        const Vector side = foot[i + 1] - foot[i];
+        const Vector side = foot[i + 1] - foot[i], next_spoke = foot[i + 1] - foot[0];
         const double length = glm::length(side);
-        newell += glm::cross(foot[i] - foot[0], foot[i + 1] - foot[0]);
+        newell += glm::cross(spoke, next_spoke);
+        spoke = next_spoke;
         total += length;
         longest = std::max(longest, length);
         if (length < shortest) {
             shortest = length;
             shortest_at = i;
         }
-        along[i] = side / length;
+        along[i] = side * (1.0 / length);
     }
     const double doubled_area = glm::length(newell);
     if (!(doubled_area > 1e-12 * longest * longest)) fail("has no area");
@@ -88,10 +94,12 @@ const BaseFrame& FrameMaker::measure(const Mesh& mesh, Face face, std::span<cons
     if (shortest < 1e-9 * frame_.edge) fail(fmt::format("edge {} has no length", shortest_at));
     frame_.normal = newell / doubled_area;
 
+    const auto [sine, cosine] = frame_.angle;
     for (int i = 0; i < n; ++i) {
         outward[i] = unit(glm::cross(along[i], frame_.normal));
-        climb[i] = sine_ * glm::cross(outward[i], along[i]) - cosine_ * outward[i];
-        wall[i] = glm::cross(along[i], climb[i]);
+        const Vector up = glm::cross(outward[i], along[i]);
+        climb[i] = sine * up - cosine * outward[i];
+        wall[i] = sine * outward[i] + cosine * up; // along × climb
     }
     if (mitred)
         for (int i = 0; i < n; ++i)

@@ -11,6 +11,14 @@ namespace druse {
 constexpr double pi = 3.14159265358979323846;
 constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
 
+/// An interior dihedral angle by its sine and cosine.
+struct Angle {
+    double sine = 1.0, cosine = 0.0;
+
+    Angle() = default;
+    explicit Angle(double degrees);
+};
+
 /// Everything a tiered extrusion measures at its base face, corner by corner from the start corner.
 ///
 /// The *walls* are the planes over the base edges that meet the base at the interior dihedral angle. All directions are of
@@ -19,7 +27,7 @@ struct BaseFrame {
     int n = 0;
     Vector normal{0.0};            // Newell, outward
     double edge = 0.0;             // mean length of the base edges
-    double angle = 0.0;            // interior dihedral angle between base and walls, radians
+    Angle angle;                   // between base and walls
     Cycle<const Point> foot;       // the base corners
     Cycle<const Vector> along;     // base edge i, from corner i to corner i + 1
     Cycle<const Vector> outward;   // in the base plane, square to edge i
@@ -39,7 +47,7 @@ struct Hinge {
     Vector away;   // leaves the side square to it, within the neighbour
     Vector normal; // of the neighbour, outward
 
-    Hinge(const Point& p, const Point& q, const Vector& normal, double angle);
+    Hinge(const Point& p, const Point& q, const Vector& normal, const Angle& angle);
 };
 
 /// Measures one base face after the other into memory of its own.
@@ -52,7 +60,6 @@ public:
     const BaseFrame& measure(const Mesh& mesh, Face face, std::span<const Corner> ring, bool mitred);
 
 private:
-    double sine_, cosine_;
     BaseFrame frame_;
     std::vector<Vector> values_;
 };

@@ -20,7 +20,8 @@ Tiling Icosahedral::tiling() const
 void Icosahedral::place(const BaseFrame& base, Point* tiers, Vector* slide) const
 {
     const int n = base.n;
-    const double edge = base.edge, theta = base.angle;
+    const double edge = base.edge;
+    const Angle& theta = base.angle;
     const Cycle<Point> a(tiers, n), c(tiers + n, n), t(tiers + 2 * n, n);
     const auto facing = [](const Point& p, const Point& q, const Point& r) { return unit(glm::cross(q - p, r - p)); };
 

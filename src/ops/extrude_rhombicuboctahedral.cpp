@@ -23,7 +23,8 @@ Tiling Rhombicuboctahedral::tiling() const
 void Rhombicuboctahedral::place(const BaseFrame& base, Point* tiers, Vector* slide) const
 {
     const int n = base.n;
-    const double edge = base.edge, theta = base.angle;
+    const double edge = base.edge;
+    const Angle& theta = base.angle;
     // Over edge i: p, q above its ends, P, Q above those, then the reach of a third quad, away.
     const auto p = [&](int i) -> Point& { return tiers[2 * i]; };
     const auto q = [&](int i) -> Point& { return tiers[2 * i + 1]; };
