@@ -3,6 +3,7 @@
 #include "dlfl/errors.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -110,16 +111,34 @@ double Camera::unit_per_pixel_at(double ahead) const
 
 void Camera::fit(const Box& box)
 {
-    const bool has_size = !box.empty() && box.diagonal() > 0;
     target_ = box.center();
-    const Vector half = has_size ? 0.5 * box.size() : Vector(0.5);
+    const bool has_size = !box.empty() && box.diagonal() > 0;
+    const Point low = has_size ? box.min : target_ - 0.5, high = has_size ? box.max : target_ + 0.5;
+    std::array<Point, 8> corners;
+    for (unsigned i = 0; i < 8; ++i) corners[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
+    step_back(corners);
+}
+
+void Camera::fit(std::span<const Point> points)
+{
+    Box box;
+    for (const Point& p : points) box.add(p);
+    if (box.empty() || box.diagonal() == 0) return fit(box);
+    target_ = box.center();
+    step_back(points);
+}
+
+/// Chooses the least distance from the target at which all points are inside the margin.
+void Camera::step_back(std::span<const Point> points)
+{
     const Point2 tangent = tangents() * margin;
+    const Vector across = right(), upward = up(), toward_eye = backward();
     double least = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vector p(corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y, corner & 4 ? half.z : -half.z);
-        const double toward = parallel_ ? 0.0 : glm::dot(p, backward());
-        least = std::max(least, std::abs(glm::dot(p, right())) / tangent.x + toward);
-        least = std::max(least, std::abs(glm::dot(p, up())) / tangent.y + toward);
+    for (const Point& point : points) {
+        const Vector p = point - target_;
+        const double toward = parallel_ ? 0.0 : glm::dot(p, toward_eye);
+        least = std::max(least, std::abs(glm::dot(p, across)) / tangent.x + toward);
+        least = std::max(least, std::abs(glm::dot(p, upward)) / tangent.y + toward);
     }
     set_distance(least);
 }
@@ -166,32 +185,45 @@ glm::dmat3 Camera::rotation() const
     return glm::transpose(glm::dmat3(right(), up(), backward()));
 }
 
-glm::dmat4 Camera::to_clip(const Point& origin, const Box& scene) const
+Camera::Depths Camera::depths(const Box& scene) const
 {
-    // How far the scene reaches from the eye, along the viewing direction; a little more, so that nothing lies on the planes.
+    // How far the scene reaches from the eye; a little more, so that nothing lies on the planes.
     const double radius = scene.empty() ? 1.0 : 0.505 * scene.diagonal();
     const double middle = distance_ - glm::dot((scene.empty() ? target_ : scene.center()) - target_, backward());
     const double far_end = std::max(middle + radius, distance_ * 1e-3);
+    const double least_depth = 1e-9 * distance_;
+    if (parallel_) return {middle - radius - least_depth, middle + radius + least_depth};
     // Depth is stored to 24 bits, so the near plane does not come nearer than the farthest thing over a few thousand.
-    const double near_end = parallel_ ? middle - radius - 1e-3 * distance_ : std::max(middle - radius, far_end / 4000.0);
+    return {std::max(middle - radius, far_end / 4000.0), far_end + least_depth};
+}
 
+double Camera::depth_shift(double pixels, const Box& scene) const
+{
+    const auto [near_end, far_end] = depths(scene);
+    const double shift = pixels * unit_per_pixel_at(1.0); // in a perspective view, of a unit of depth
+    return parallel_ ? 2.0 * shift / (far_end - near_end) : 2.0 * near_end * far_end / (far_end - near_end) * shift;
+}
+
+glm::dmat4 Camera::to_clip(const Point& origin, const Box& scene) const
+{
+    const auto [near_end, far_end] = depths(scene);
+    const double depth = far_end - near_end;
     const glm::dmat3 turn = rotation();
     const Vector shift = turn * (origin - target_) - Vector(0.0, 0.0, distance_);
     const Point2 tangent = tangents();
-    const double depth = std::max(far_end - near_end, 1e-9 * distance_);
     glm::dmat4 clip(0.0);
     if (parallel_) {
         clip[0][0] = 1.0 / (tangent.x * distance_);
         clip[1][1] = 1.0 / (tangent.y * distance_);
         clip[2][2] = -2.0 / depth;
-        clip[3][2] = -(near_end + near_end + depth) / depth;
+        clip[3][2] = -(near_end + far_end) / depth;
         clip[3][3] = 1.0;
     } else {
         clip[0][0] = 1.0 / tangent.x;
         clip[1][1] = 1.0 / tangent.y;
-        clip[2][2] = -(near_end + near_end + depth) / depth;
+        clip[2][2] = -(near_end + far_end) / depth;
         clip[2][3] = -1.0;
-        clip[3][2] = -2.0 * near_end * (near_end + depth) / depth;
+        clip[3][2] = -2.0 * near_end * far_end / depth;
     }
     glm::dmat4 view(turn);
     view[3] = glm::dvec4(shift, 1.0);

@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace druse {
@@ -68,6 +69,8 @@ public:
     /// Aims at the middle of the box and steps back until all of it is in the picture, with a margin; the angles stay.
     /// An empty box, or one of no size, is framed as if it measured 1.
     void fit(const Box& box);
+    /// The same for a set of points, which may fill less than its box.
+    void fit(std::span<const Point> points);
     /// Degrees added to azimuth and elevation.
     void orbit(double azimuth, double elevation);
     /// Moves the model by so many pixels, at the depth of the target.
@@ -86,11 +89,19 @@ public:
     glm::dmat3 rotation() const;
     /// Coordinates relative to `origin` to clip space, with near and far planes just wide enough for `scene`.
     glm::dmat4 to_clip(const Point& origin, const Box& scene) const;
+    /// What brings a point nearer to the eye by so many pixels (as long as they are at its depth): to be taken from its
+    /// normalised depth once divided by w.
+    double depth_shift(double pixels, const Box& scene) const;
 
     friend bool operator==(const Camera&, const Camera&) = default;
 
 private:
+    struct Depths {
+        double near_end, far_end; // from the eye, along the viewing direction
+    };
+    Depths depths(const Box& scene) const;
     Point2 tangents() const; // of half the field of view, across and up
+    void step_back(std::span<const Point> points);
 
     int width_ = 1280, height_ = 800;
     ViewAngles angles_{45.0, 35.264389682754654};

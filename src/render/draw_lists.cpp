@@ -1,7 +1,5 @@
 #include "render/draw_lists.h"
 
-#include "dlfl/measures.h"
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -221,7 +219,13 @@ void DrawLists::put_triangles(const Mesh& mesh, Face f, Palette& palette, std::v
     const std::uint32_t first = find_room(count);
     face_triangles_.set(f.index, {first, count});
 
-    const std::uint32_t normal = pack_normal(unit_normal(mesh, f));
+    // Newell's normal of the polygon is the sum of those of its triangles, however it was cut.
+    Vector area(0.0);
+    for (const std::array<Corner, 3>& piece : pieces) {
+        const Point& p = mesh.position(piece[0]);
+        area += glm::cross(mesh.position(piece[1]) - p, mesh.position(piece[2]) - p);
+    }
+    const std::uint32_t normal = pack_normal(unit(area));
     const std::uint32_t look =
         palette(face_group_[f.index]) | DrawVertex::claimed_flag | (face_selected_[f.index] ? DrawVertex::selected_flag : 0u);
     std::uint32_t t = first;

@@ -99,6 +99,7 @@ public:
     Face face(std::uint32_t triangle) const { return Face(triangle_face_[triangle]); } // invalid: no triangle
     int group(Face f) const { return face_group_[f.index]; }
     bool is_selected(Face f) const { return f.index < face_selected_.size() && face_selected_[f.index] != 0; }
+    std::span<const Point> positions() const { return positions_.view(); }
     const Point& position(std::uint32_t vertex) const { return positions_[vertex]; }
     std::uint32_t vertex_of(std::uint32_t draw_vertex) const { return vertex_of_[draw_vertex]; }
     std::uint32_t draw_vertex_of(std::uint32_t vertex) const { return newest_[vertex]; } // any one of its copies

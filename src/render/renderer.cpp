@@ -333,8 +333,10 @@ void Renderer::Parts::draw_overlay(const DrawLists& lists, const Camera& camera,
     outline(over, overlay.failed, overlay.error, 3);
     over.insert(over.end(), overlay.lines.begin(), overlay.lines.end());
 
-    thick.draw(seen, lists.origin(), to_clip, camera.width(), camera.height(), !style.wireframe && !style.see_through);
-    thick.draw(over, lists.origin(), to_clip, camera.width(), camera.height(), false);
+    std::optional<double> shift;
+    if (!style.wireframe && !style.see_through) shift = camera.depth_shift(4 * scale, lists.bounds());
+    thick.draw(seen, lists.origin(), to_clip, camera.width(), camera.height(), shift);
+    thick.draw(over, lists.origin(), to_clip, camera.width(), camera.height(), std::nullopt);
 
     if (overlay.screen_lines.empty()) return;
     glm::mat4 from_pixels(1.0f);
@@ -342,7 +344,7 @@ void Renderer::Parts::draw_overlay(const DrawLists& lists, const Camera& camera,
     from_pixels[1][1] = -2.0f / float(camera.height());
     from_pixels[2][2] = 0.0f;
     from_pixels[3] = glm::vec4(-1.0f, 1.0f, 0.0f, 1.0f);
-    thick.draw(overlay.screen_lines, Point(0.0), from_pixels, camera.width(), camera.height(), false);
+    thick.draw(overlay.screen_lines, Point(0.0), from_pixels, camera.width(), camera.height(), std::nullopt);
 }
 
 } // namespace druse

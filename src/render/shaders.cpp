@@ -192,7 +192,7 @@ void main()
     bool at_end = (gl_VertexID & 1) != 0;
     vec2 corner = (at_end ? start + along + forward * reach : start - forward * reach) +
                   ((gl_VertexID & 2) != 0 ? 1.0 : -1.0) * reach * vec2(-forward.y, forward.x);
-    gl_Position = vec4(corner / half_size, (at_end ? q.z : p.z) - nearer, 1.0);
+    gl_Position = vec4(corner / half_size, at_end ? q.z - nearer / b.w : p.z - nearer / a.w, 1.0);
 }
 )glsl";
 

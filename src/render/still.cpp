@@ -15,7 +15,7 @@ Image draw(const DrawLists& lists, const StillOptions& options)
     camera.resize(options.width, options.height);
     camera.set_angles(options.view);
     camera.set_parallel(options.parallel);
-    camera.fit(lists.bounds());
+    camera.fit(lists.positions());
 
     Style style;
     style.shading = options.shading;

@@ -24,7 +24,7 @@ ThickLinePainter::~ThickLinePainter()
 }
 
 void ThickLinePainter::draw(const std::vector<ThickLine>& lines, const Point& origin, const glm::mat4& to_clip, int width,
-                            int height, bool hidden_by_depth)
+                            int height, std::optional<double> depth_shift)
 {
     if (lines.empty()) return;
     if (!program_) {
@@ -61,9 +61,8 @@ void ThickLinePainter::draw(const std::vector<ThickLine>& lines, const Point& or
     program_->use();
     gl_.UniformMatrix4fv(program_->uniform("to_clip"), 1, GL_FALSE, glm::value_ptr(to_clip));
     gl_.Uniform2f(program_->uniform("half_size"), 0.5f * float(width), 0.5f * float(height));
-    // A line along an edge lies half behind the faces beside it; brought a little nearer it is seen in full width.
-    gl_.Uniform1f(program_->uniform("nearer"), hidden_by_depth ? 3e-4f : 0.0f);
-    if (!hidden_by_depth) gl_.Disable(GL_DEPTH_TEST);
+    gl_.Uniform1f(program_->uniform("nearer"), float(depth_shift.value_or(0.0)));
+    if (!depth_shift) gl_.Disable(GL_DEPTH_TEST);
     gl_.Disable(GL_CULL_FACE);
     gl_.DepthMask(GL_FALSE);
     gl_.Enable(GL_BLEND);

@@ -18,10 +18,11 @@ public:
     ThickLinePainter& operator=(const ThickLinePainter&) = delete;
     ~ThickLinePainter();
 
-    /// `to_clip` takes places relative to `origin`; width and height are those of the viewport. With `hidden_by_depth`, what lies
-    /// behind the faces drawn so far is not seen.
+    /// `to_clip` takes places relative to `origin`; width and height are those of the viewport. With a depth shift (see
+    /// Camera::depth_shift), which should be that of the width of the lines, what lies behind the faces drawn so far is not seen:
+    /// a line along an edge lies half behind the faces beside it, and brought nearer it is seen in full width.
     void draw(const std::vector<ThickLine>& lines, const Point& origin, const glm::mat4& to_clip, int width, int height,
-              bool hidden_by_depth);
+              std::optional<double> depth_shift);
 
 private:
     const GlApi& gl_;
