@@ -45,6 +45,7 @@ TieredExtrusion::TieredExtrusion(Mesh& mesh, std::vector<Face> faces, const Tili
         const std::size_t n = corners_.size() - begin_.back();
         begin_.push_back(corners_.size());
         new_begin_.push_back(new_begin_.back() + static_cast<std::size_t>(tiling_.new_vertices(static_cast<int>(n))));
+        has_top_ = has_top_ && tiling_.has_top(static_cast<int>(n));
     }
     room_ = mesh_.vertex_room(new_begin_.back());
 }
@@ -53,6 +54,7 @@ std::span<Point> TieredExtrusion::room(std::size_t at) { return room_.subspan(ne
 
 std::vector<Face> TieredExtrusion::connect(NewGroups groups)
 {
+    if (faces_.empty()) return {};
     std::vector<const Patch*> patches(faces_.size());
     std::size_t last_n = 0;
     for (std::size_t at = 0; at < faces_.size(); ++at) {
@@ -68,15 +70,14 @@ std::vector<Face> TieredExtrusion::connect(NewGroups groups)
     const int largest = groups == NewGroups::each || groups == NewGroups::rows ? mesh_.largest_group() : 0;
     mesh_.replace_faces(faces_, patches);
     if (groups != NewGroups::keep) number_groups(groups, old_groups, largest, first_face);
-    if (tiling_.has_top()) return std::move(faces_);
+    if (has_top_) return std::move(faces_);
     for (std::uint32_t f = first_face; f < mesh_.face_limit(); ++f) faces_.push_back(Face(f));
     return std::move(faces_);
 }
 
 void TieredExtrusion::number_groups(NewGroups groups, const std::vector<int>& old_groups, int largest, std::uint32_t first_face)
 {
-    const int top = tiling_.has_top() ? 1 : 0, rows = tiling_.rows();
-    const auto faces_made = [&](std::size_t at) { return top + rows * static_cast<std::int64_t>(begin_[at + 1] - begin_[at]); };
+    const auto sides = [&](std::size_t at) { return static_cast<int>(begin_[at + 1] - begin_[at]); };
 
     // Old groups in ascending order, each with as many new ids as its largest face needs.
     struct Share {
@@ -87,7 +88,8 @@ void TieredExtrusion::number_groups(NewGroups groups, const std::vector<int>& ol
     if (groups != NewGroups::none) {
         std::vector<std::pair<int, std::int64_t>> needs;
         for (std::size_t at = 0; at < faces_.size(); ++at) {
-            const std::int64_t need = groups == NewGroups::each ? faces_made(at) : top + rows;
+            const int n = sides(at);
+            const std::int64_t need = groups == NewGroups::each ? tiling_.new_faces(n) : tiling_.rows() + (tiling_.has_top(n) ? 1 : 0);
             if (needs.empty() || needs.back().first != old_groups[at]) needs.emplace_back(old_groups[at], need);
             else needs.back().second = std::max(needs.back().second, need);
         }
@@ -106,8 +108,8 @@ void TieredExtrusion::number_groups(NewGroups groups, const std::vector<int>& ol
 
     std::int32_t* out = mesh_.write_groups(first_face, mesh_.face_limit() - first_face);
     for (std::size_t at = 0; at < faces_.size(); ++at) {
-        const auto n = static_cast<std::int32_t>(begin_[at + 1] - begin_[at]);
-        const std::int32_t more = top + rows * n - 1; // faces beside the one that keeps the id
+        const std::int32_t n = sides(at), top = tiling_.has_top(n) ? 1 : 0, wedges = tiling_.wedges(n);
+        const std::int32_t more = tiling_.new_faces(n) - 1; // faces beside the one that keeps the id
         if (groups == NewGroups::none) {
             mesh_.set_group(faces_[at], 0);
             out = std::fill_n(out, more, 0);
@@ -118,7 +120,7 @@ void TieredExtrusion::number_groups(NewGroups groups, const std::vector<int>& ol
         if (groups == NewGroups::each)
             for (std::int32_t k = 1; k <= more; ++k) *out++ = first + k;
         else
-            for (std::int32_t k = 1; k <= more; ++k) *out++ = first + (k - top) / n + top;
+            for (std::int32_t k = 1; k <= more; ++k) *out++ = first + (k - top) / wedges + top;
     }
 }
 

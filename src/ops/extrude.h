@@ -52,6 +52,7 @@ private:
     std::vector<std::size_t> begin_;     // of each face in corners_, and one past the last
     std::vector<std::size_t> new_begin_; // of each face's new vertices
     std::span<Point> room_;
+    bool has_top_ = true; // on all faces
 };
 
 /// Slides the top tier along `slide` onto the plane square to the base through its mean elevation.
@@ -107,8 +108,7 @@ Definition<ExtrusionParameters<Kernel>> define_extrusion(std::string name, std::
     if constexpr (Kernel::has_top)
         definition.param(&P::iterations, "iterations", Unit::count, {1, 50}, "how often: each time on the tops of the time before")
             .param(&P::flat, "flat", "slide the vertices of the top into one plane");
-    definition.keeps_euler();
-    definition.run([](Scene& scene, const P& p, Context& context) {
+    definition.keeps_euler().run([](Scene& scene, const P& p, Context& context) {
         std::vector<Face> faces = collect_faces(scene, p);
         scene.selection.edit().faces =
             extrude_faces<Kernel>(scene.mesh, std::move(faces), p, p.groups, p.iterations, p.flat, context.progress);

@@ -7,7 +7,7 @@ Tiling Cubical::tiling() const
 {
     Tiling tile;
     const auto b = tile.base(), t = tile.tier();
-    tile.top(t);
+    tile.top({t});
     tile.row({b(0), b(1), t(1), t(0)});
     return tile;
 }

@@ -7,7 +7,7 @@ Tiling Cuboctahedral::tiling() const
 {
     Tiling tile;
     const auto b = tile.base(), a = tile.tier(), c = tile.tier();
-    tile.top(c);
+    tile.top({c});
     tile.row({b(0), b(1), a(0)});
     tile.row({b(0), a(0), c(0), a(-1)});
     tile.row({a(0), c(1), c(0)});

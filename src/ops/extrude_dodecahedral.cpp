@@ -7,7 +7,7 @@ Tiling Dodecahedral::tiling() const
 {
     Tiling tile;
     const auto b = tile.base(), a = tile.tier(), c = tile.tier(), e = tile.tier();
-    tile.top(e);
+    tile.top({e});
     tile.row({b(0), b(1), a(1), c(0), a(0)});
     tile.row({a(0), c(0), e(0), e(-1), c(-1)});
     return tile;

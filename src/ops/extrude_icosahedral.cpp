@@ -7,7 +7,7 @@ Tiling Icosahedral::tiling() const
 {
     Tiling tile;
     const auto b = tile.base(), a = tile.tier(), c = tile.tier(), t = tile.tier();
-    tile.top(t);
+    tile.top({t});
     tile.row({b(0), b(1), a(0)});
     tile.row({b(0), a(0), c(0)});
     tile.row({b(1), c(1), a(0)});

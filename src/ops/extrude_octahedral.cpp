@@ -7,7 +7,7 @@ Tiling Octahedral::tiling() const
 {
     Tiling tile;
     const auto b = tile.base(), t = tile.tier();
-    tile.top(t);
+    tile.top({t});
     tile.row({b(0), b(1), t(0)});
     tile.row({b(0), t(0), t(-1)});
     return tile;

@@ -7,10 +7,10 @@ Tiling Rhombicuboctahedral::tiling() const
 {
     Tiling tile;
     const auto b = tile.base();
-    const auto [p, q] = tile.paired_tier();
-    const auto [P, Q] = tile.paired_tier();
+    const auto lower = tile.tier(2), upper = tile.tier(2);
+    const auto p = lower[0], q = lower[1], P = upper[0], Q = upper[1];
     const auto t = tile.tier();
-    tile.top(t);
+    tile.top({t});
     tile.row({b(0), b(1), q(0), p(0)});
     tile.row({b(0), p(0), q(-1)});
     tile.row({q(-1), p(0), P(0), Q(-1)});

@@ -46,7 +46,6 @@ struct Operator {
     std::string source, example;
     std::vector<std::string> aliases;
     Kind kind = Kind::edit;
-    bool keeps_euler = false; // promises that V − E + F stays what it was
     std::vector<Parameter> parameters;
     std::vector<std::vector<std::string>> exclusive; // exactly one of each set is given
     std::vector<Preset> presets;
@@ -125,6 +124,7 @@ public:
         operator_.euler_change = change;
         return *this;
     }
+    Definition& keeps_euler() { return euler_change(0); }
     Definition& alias(std::string name)
     {
         operator_.aliases.push_back(std::move(name));
@@ -138,11 +138,6 @@ public:
     Definition& cites(std::string source)
     {
         operator_.source = std::move(source);
-        return *this;
-    }
-    Definition& keeps_euler()
-    {
-        operator_.keeps_euler = true;
         return *this;
     }
     Definition& query()

@@ -4,57 +4,59 @@
 
 namespace druse {
 
-Tiling::Orbit Tiling::tier()
+std::vector<Tiling::Orbit> Tiling::tier(int vertices)
 {
-    orbits_.push_back({vertices_per_edge_, 1, 0});
-    vertices_per_edge_ += 1;
+    std::vector<Orbit> made;
+    for (int i = 0; i < vertices; ++i) {
+        made.push_back({static_cast<int>(orbits_.size())});
+        orbits_.push_back({orbits_per_wedge_, vertices, i});
+    }
+    orbits_per_wedge_ += vertices;
     ++tiers_;
-    return {static_cast<int>(orbits_.size()) - 1};
-}
-
-std::array<Tiling::Orbit, 2> Tiling::paired_tier()
-{
-    const int first = static_cast<int>(orbits_.size());
-    orbits_.push_back({vertices_per_edge_, 2, 0});
-    orbits_.push_back({vertices_per_edge_, 2, 1});
-    vertices_per_edge_ += 2;
-    ++tiers_;
-    return {Orbit{first}, Orbit{first + 1}};
+    return made;
 }
 
 Tiling::Orbit Tiling::apex()
 {
-    ASSERT(single_vertices_ == 0, "at most one apex");
-    orbits_.push_back({vertices_per_edge_, 0, 0});
-    single_vertices_ = 1;
+    ASSERT(!apex_, "at most one apex");
+    apex_ = true;
     ++tiers_;
+    orbits_.push_back({0, 0, 0});
     return {static_cast<int>(orbits_.size()) - 1};
 }
 
-int Tiling::local(Spot spot, int edge, int n) const
+int Tiling::local(Spot spot, int wedge, int n) const
 {
-    const int i = ((edge + spot.offset) % n + n) % n;
-    if (spot.orbit < 0) return i;
+    const int w = wedges(n), i = ((wedge + spot.wedge) % w + w) % w;
+    if (spot.orbit < 0) return i * edges_ + (-1 - spot.orbit);
     const Place& place = orbits_[static_cast<std::size_t>(spot.orbit)];
-    return n + n * place.before + place.stride * i + place.phase;
+    if (place.stride == 0) return n + orbits_per_wedge_ * w;
+    return n + place.before * w + place.stride * i + place.phase;
+}
+
+std::vector<std::vector<int>> Tiling::polygons(int n) const
+{
+    std::vector<std::vector<int>> all;
+    if (has_top(n)) {
+        all.emplace_back();
+        for (int i = 0; i < wedges(n); ++i)
+            for (const Orbit orbit : top_) all.back().push_back(local(orbit(0), i, n));
+    }
+    for (const auto& row : rows_)
+        for (int i = 0; i < wedges(n); ++i) {
+            all.emplace_back();
+            for (const Spot spot : row) all.back().push_back(local(spot, i, n));
+        }
+    return all;
 }
 
 const Patch& Tiling::on(int n) const
 {
     std::unique_ptr<Patch>& patch = patches_[n];
     if (patch) return *patch;
+    ASSERT(n % edges_ == 0, "a base of whole wedges");
     patch = std::make_unique<Patch>(n, new_vertices(n));
-    std::vector<int> polygon;
-    if (has_top()) {
-        for (int i = 0; i < n; ++i) polygon.push_back(local({top_, 0}, i, n));
-        patch->add(polygon);
-    }
-    for (const auto& row : rows_)
-        for (int i = 0; i < n; ++i) {
-            polygon.clear();
-            for (const Spot spot : row) polygon.push_back(local(spot, i, n));
-            patch->add(polygon);
-        }
+    for (const auto& polygon : polygons(n)) patch->add(polygon);
     patch->connect();
     return *patch;
 }
