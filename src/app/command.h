@@ -16,8 +16,8 @@ struct Command {
     std::vector<std::pair<std::string, std::string>> arguments;
 };
 
-/// Takes a line apart. Values are bare, or in double quotes with `\"` and `\\`; `#` outside quotes starts a comment.
-/// An empty or comment line gives an empty name. @throws CommandError
+/// Takes a line apart. Values are bare, or in double quotes with `\"` and `\\`; a `#` where a word would begin starts a comment, so
+/// that colours need no quotes (`color=#2b73ff`). An empty or comment line gives an empty name. @throws CommandError
 Command parse_command(std::string_view line);
 
 /// `key=value` with the value quoted where it holds a blank, a quote or `#`, or nothing.
@@ -34,8 +34,9 @@ struct Invocation {
     std::string text() const;
 };
 
-/// Looks up the operator and reads every value. @throws CommandError `OPERATOR: key=value: expected …`, `OPERATOR: unknown
-/// parameter 'x'; did you mean 'y'?`, also for a key given twice or a required one missing, and for sets of which exactly one is given
+/// Looks up the operator and reads every value; `preset=NAME` first, so that the other values override it.
+/// @throws CommandError `OPERATOR: key=value: expected …`, `OPERATOR: unknown parameter 'x'; did you mean 'y'?`, also for a key
+/// given twice or a required one missing, and for sets of which exactly one is given
 Invocation bind(const Registry& registry, const Command& command);
 
 } // namespace druse

@@ -1,0 +1,319 @@
+#include "app/document.h"
+
+#include "app/document_operators.h"
+#include "app/script.h"
+#include "dlfl/check.h"
+#include "dlfl/errors.h"
+#include "io/read.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace druse {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool names_a_file(const Invocation& call)
+{
+    for (std::size_t i = 0; i < call.given.size(); ++i)
+        if (call.given[i] && call.op->parameters[i].type == Parameter::Type::file) return true;
+    return false;
+}
+
+ScriptCommand script_command(const Invocation& call, const fs::path& folder)
+{
+    if (!names_a_file(call)) return {call.text(), {}};
+    return {call.text(), fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal()};
+}
+
+/// Takes dead elements out of a selected list.
+template <class H>
+void drop_dead(const Mesh& mesh, std::vector<H>& list)
+{
+    std::erase_if(list, [&mesh](H h) { return !mesh.is_alive(h); });
+}
+
+/// Gives selected elements their new ids; `to` is empty where none changed.
+template <class H>
+void follow(std::vector<H>& list, const std::vector<std::uint32_t>& to)
+{
+    if (to.empty()) return;
+    for (H& h : list) h = H(to[h.index]);
+}
+
+template <class H>
+bool ends_below(const std::vector<H>& list, std::uint32_t limit)
+{
+    return list.empty() || list.back().index < limit;
+}
+
+template <class H>
+bool ascends(const std::vector<H>& list, std::uint32_t limit)
+{
+    return std::ranges::adjacent_find(list, std::greater_equal<>()) == list.end() && ends_below(list, limit);
+}
+
+/// A file that a command calls `name`, as a script in `folder` calls it: relative, unless it was not and lies outside.
+std::string renamed(const fs::path& name, const fs::path& its_folder, const fs::path& folder)
+{
+    const fs::path target = (its_folder / name).lexically_normal(), from = fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
+    const fs::path lexical = target.lexically_proximate(from);
+    if (name.is_absolute() && lexical.begin()->string() == "..") return name.string();
+    std::error_code error;
+    // Where a folder on the way is a link, `..` leads elsewhere than the text says: then go by the real folders.
+    if (fs::exists(target, error) && !fs::equivalent(from / lexical, target, error)) {
+        const fs::path real = fs::proximate(target, from, error);
+        return (error ? target : real).string();
+    }
+    return lexical.string();
+}
+
+void append(Document::Outcome& all, Document::Outcome&& one)
+{
+    std::move(one.notes.begin(), one.notes.end(), std::back_inserter(all.notes));
+    if (!one.output.empty()) all.output += (all.output.empty() ? "" : "\n") + one.output;
+    all.failed = all.failed || one.failed;
+}
+
+} // namespace
+
+// --- the door ---------------------------------------------------------------------------------------------------------------
+
+Document::Outcome Document::apply(std::string_view text, Progress& progress, const fs::path& folder)
+{
+    const Command command = parse_command(text);
+    if (command.name.empty()) return {};
+    const Invocation call = bind(*registry_, command);
+    if (const FilePath* file = opened_file(call); file && version_ == 0)
+        return open(folder / file->path, script_command(call, folder), progress);
+    return run(call, progress, folder);
+}
+
+Document::Outcome Document::apply(std::string_view command)
+{
+    Progress progress;
+    return apply(command, progress);
+}
+
+Document::Outcome Document::apply_again(std::string_view text, Progress& progress, const fs::path& folder)
+{
+    const Invocation call = bind(*registry_, parse_command(text));
+    if (call.op->kind != Operator::Kind::edit) throw CommandError(call.op->name + ": is no step of the history");
+    History::Step last = history_.take_last(scene_);
+    try {
+        return run(call, progress, folder);
+    } catch (...) {
+        history_.put_last(scene_, std::move(last));
+        throw;
+    }
+}
+
+Document::Outcome Document::run(const Invocation& call, Progress& progress, const fs::path& folder)
+{
+    Context context{progress, folder, scripts_, {}, {}};
+    try {
+        switch (call.op->kind) {
+        case Operator::Kind::edit: edit(call, context); break;
+        case Operator::Kind::query: query(call, context); break;
+        case Operator::Kind::travel: travel(call); break;
+        }
+    } catch (const CommandError& e) {
+        throw CommandError(fmt::format("{}: {}", call.op->name, e.what()));
+    }
+    return {call.text(), std::move(context.notes), std::move(context.output), context.failed};
+}
+
+void Document::edit(const Invocation& call, Context& context)
+{
+    History::Step before{script_command(call, context.folder), {}, scene_.groups, scene_.selection, scene_.source};
+    const Shared<Selection> nothing;
+    scene_.mesh.begin_change();
+    bool recording = true;
+    try {
+        call.op->run(scene_, call.parameters.get(), context);
+        settle_selection();
+        check(*call.op);
+        before.mesh = scene_.mesh.end_change();
+        recording = false;
+        // Of a mesh put in place of another nothing survives that could stay selected.
+        if (before.mesh.corner_vertex.whole && scene_.selection.same_as(before.selection)) scene_.selection = nothing;
+        history_.add(std::move(before), scene_);
+    } catch (...) {
+        if (recording) scene_.mesh.roll_back();
+        else scene_.mesh.exchange(before.mesh);
+        scene_.groups = before.groups;
+        scene_.selection = before.selection;
+        scene_.source = before.source;
+        throw;
+    }
+    ++version_;
+}
+
+void Document::query(const Invocation& call, Context& context)
+{
+    const Shared<GroupTable> groups = scene_.groups;
+    const Shared<Selection> selection = scene_.selection;
+    const Shared<Source> source = scene_.source;
+    const auto restore = [&] {
+        scene_.mesh.roll_back();
+        scene_.groups = groups;
+        scene_.selection = selection;
+        scene_.source = source;
+    };
+    scene_.mesh.begin_change();
+    try {
+        call.op->run(scene_, call.parameters.get(), context);
+    } catch (...) {
+        restore();
+        throw;
+    }
+    restore();
+}
+
+void Document::travel(const Invocation& call)
+{
+    const std::size_t to = travel_destination(call, history_);
+    if (to == history_.done()) return;
+    history_.go_to(scene_, to);
+    ++version_;
+}
+
+/// Closes the holes of the mesh; the selection keeps what is left of it, by its new ids.
+void Document::settle_selection()
+{
+    Mesh& mesh = scene_.mesh;
+    const Selection& selection = *scene_.selection;
+    if (!mesh.has_holes() && ends_below(selection.faces, mesh.face_limit()) && ends_below(selection.edges, mesh.edge_limit()) &&
+        ends_below(selection.vertices, mesh.vertex_limit()))
+        return;
+    Selection kept = selection;
+    drop_dead(mesh, kept.faces);
+    drop_dead(mesh, kept.edges);
+    drop_dead(mesh, kept.vertices);
+    const Renumbering to = mesh.compact();
+    follow(kept.faces, to.faces);
+    follow(kept.edges, to.edges);
+    follow(kept.vertices, to.vertices);
+    if (!(kept == selection)) scene_.selection = std::move(kept);
+}
+
+void Document::check(const Operator& op) const
+{
+    const Mesh& mesh = scene_.mesh;
+#ifdef DRUSE_FULL_CHECKS
+    const std::string broken = druse::check(mesh);
+#else
+    const std::string broken = check_change(mesh);
+#endif
+    if (!broken.empty()) throw InternalError(fmt::format("internal error: {} left a mesh that is not sound: {}", op.name, broken));
+    const Selection& selection = *scene_.selection;
+    ASSERT(ascends(selection.faces, mesh.face_limit()) && ascends(selection.edges, mesh.edge_limit()) &&
+               ascends(selection.vertices, mesh.vertex_limit()),
+           "a selection that ascends without repeats");
+}
+
+// --- beginnings ---------------------------------------------------------------------------------------------------------------
+
+Document::Outcome Document::open(const fs::path& file, Progress& progress) { return open(file, opening_command(file), progress); }
+
+Document::Outcome Document::open(const fs::path& file, ScriptCommand command, Progress& progress)
+{
+    progress.step(0.0);
+    Outcome outcome;
+    if (is_script(file)) {
+        Document fresh(*registry_);
+        fresh.history_.set_budget(history_.budget());
+        fresh.scripts_ = scripts_;
+        outcome = fresh.run(Script::read(file), progress);
+        scene_ = std::move(fresh.scene_);
+        history_ = std::move(fresh.history_);
+        without_file_ = fresh.without_file_;
+        ++version_;
+        outcome.text = command.text;
+    } else {
+        Model model = read_model(file);
+        progress.step(1.0);
+        outcome.notes = std::move(model.notes);
+        outcome.text = command.text;
+        begin(std::move(model), std::move(command));
+    }
+    return outcome;
+}
+
+Document::Outcome Document::open(Model model)
+{
+    Outcome outcome;
+    outcome.notes = std::move(model.notes);
+    begin(std::move(model), {});
+    without_file_ = true;
+    return outcome;
+}
+
+void Document::begin(Model&& model, ScriptCommand command)
+{
+    Scene fresh;
+    fill(fresh, std::move(model));
+    scene_ = std::move(fresh);
+    history_.begin(std::move(command));
+    without_file_ = false;
+    ++version_;
+}
+
+// --- scripts ------------------------------------------------------------------------------------------------------------------
+
+Document::Outcome Document::run(const Script& script, Progress& progress)
+{
+    if (std::ranges::find(scripts_, script.path) != scripts_.end() && !script.path.empty())
+        throw InputError(script.name, "this script is being run already: it would open itself without end");
+    if (scripts_.size() >= Script::most_nested)
+        throw InputError(script.name, fmt::format("scripts open each other more than {} deep", Script::most_nested));
+
+    scripts_.push_back(script.path);
+    Outcome all;
+    std::string_view line;
+    long number = 0;
+    try {
+        for (std::string_view rest = script.text; !rest.empty();) {
+            line = next_line(rest);
+            ++number;
+            append(all, apply(line, progress, script.folder));
+        }
+    } catch (const CommandError& e) {
+        scripts_.pop_back();
+        throw InputError(script.name, number, e.what());
+    } catch (const InputError& e) {
+        scripts_.pop_back();
+        throw InputError(script.name, number, fmt::format("{}: {}", registry_->get(parse_command(line).name).name, e.what()));
+    } catch (...) {
+        scripts_.pop_back();
+        throw;
+    }
+    scripts_.pop_back();
+    return all;
+}
+
+std::string Document::script(const fs::path& folder) const
+{
+    if (without_file_) throw CommandError("the document began with standard input, which a script cannot open again");
+    std::string text;
+    for (const ScriptCommand& step : history_.script()) {
+        if (step.folder.empty()) {
+            text += step.text + "\n";
+            continue;
+        }
+        Command command = parse_command(step.text);
+        const Operator& op = registry_->get(command.name);
+        for (auto& [key, value] : command.arguments) {
+            const Parameter* p = op.find(key);
+            if (p && p->type == Parameter::Type::file) value = renamed(value, step.folder, folder);
+        }
+        text += bind(*registry_, command).text() + "\n";
+    }
+    return text;
+}
+
+} // namespace druse

@@ -1,0 +1,265 @@
+#include "app/info.h"
+
+#include "app/graph_facts.h"
+#include "app/padded.h"
+#include "dlfl/measures.h"
+#include "ops/selector.h"
+#include "ops/text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace druse {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* units = "mm";
+
+/// What is there to be told: the facts of the mesh, unless all there is is a graph.
+struct Facts {
+    explicit Facts(const Scene& scene) : mesh(facts(scene.mesh))
+    {
+        if (const Graph* g = std::get_if<Graph>(&*scene.source)) graph = facts(*g);
+        only_graph = graph && scene.mesh.face_count() == 0;
+    }
+    MeshFacts mesh;
+    std::optional<GraphFacts> graph;
+    bool only_graph = false;
+};
+
+// --- JSON ---------------------------------------------------------------------------------------------------------------------
+
+Json json(const Point& p) { return {p.x, p.y, p.z}; }
+
+Json box_json(const Box& box)
+{
+    if (box.empty()) return nullptr;
+    return {{"min", json(box.min)}, {"max", json(box.max)}};
+}
+
+Json lengths_json(double least, double mean, double most, bool any)
+{
+    if (!any) return nullptr;
+    return {{"min", least}, {"mean", mean}, {"max", most}};
+}
+
+Json counts_json(const std::map<int, std::uint32_t>& counts)
+{
+    Json object = Json::object();
+    for (const auto& [n, count] : counts) object[std::to_string(n)] = count;
+    return object;
+}
+
+template <class H>
+Json ids_json(const std::vector<H>& list)
+{
+    Json ids = Json::array();
+    for (const H h : list) ids.push_back(h.index);
+    return ids;
+}
+
+Json groups_json(const MeshFacts& facts, const GroupTable& groups)
+{
+    Json object = Json::object();
+    for (const auto& [id, faces] : facts.groups) {
+        const std::string& name = groups.name(id);
+        object[std::to_string(id)] = {{"faces", faces}, {"color", to_hex(groups.colour(id))}, {"name", name.empty() ? Json(nullptr) : Json(name)}};
+    }
+    return object;
+}
+
+void add_mesh(Json& j, const MeshFacts& m)
+{
+    j["vertices"] = m.counts.vertices;
+    j["edges"] = m.counts.edges;
+    j["faces"] = m.counts.faces;
+    j["corners"] = m.corners;
+    j["components"] = m.components;
+    j["euler"] = m.euler;
+    j["genus"] = m.genus;
+    j["watertight"] = m.boundary_edges == 0;
+    j["oriented"] = true; // a doubly linked face list is nothing else
+    j["manifold"] = true;
+    j["boundary_edges"] = m.boundary_edges;
+    j["volume"] = m.volume;
+    j["area"] = m.area;
+    j["bbox"] = box_json(m.bounds);
+    j["edge_length"] = lengths_json(m.shortest_edge, m.mean_edge, m.longest_edge, m.counts.edges > 0);
+    j["sides"] = counts_json(m.sides);
+    j["valences"] = counts_json(m.valences);
+    j["max_nonplanarity"] = m.max_nonplanarity;
+}
+
+void add_graph(Json& j, const GraphFacts& g)
+{
+    j["vertices"] = g.vertices;
+    j["edges"] = g.edges;
+    j["faces"] = 0;
+    j["corners"] = 0;
+    j["components"] = g.components;
+    for (const char* key : {"euler", "genus", "watertight", "oriented", "manifold", "boundary_edges", "volume", "area"}) j[key] = nullptr;
+    j["bbox"] = box_json(g.bounds);
+    j["edge_length"] = lengths_json(g.shortest_edge, g.mean_edge, g.longest_edge, g.edges > 0);
+    j["sides"] = Json::object();
+    j["valences"] = counts_json(g.valences);
+    j["max_nonplanarity"] = nullptr;
+}
+
+void add_own_of_graph(Json& j, const GraphFacts& g)
+{
+    j["cycle_rank"] = g.cycle_rank;
+    j["smallest_angle"] = g.smallest_angle ? Json(*g.smallest_angle) : Json(nullptr);
+}
+
+// --- text ---------------------------------------------------------------------------------------------------------------------
+
+/// Lines of a name and what it says, the second column aligned.
+class Table {
+public:
+    void add(std::string_view name, std::string_view value) { text_ += padded(name, 23).append(value).append("\n"); }
+    void add(std::string_view name, std::uint32_t value) { add(name, std::to_string(value)); }
+    std::string take() { return std::move(text_); }
+
+private:
+    std::string text_;
+};
+
+std::string counted(std::uint32_t n, const char* one, const char* many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
+
+/// A number with at most six digits: for reading, not for reading back.
+std::string rounded(double x) { return fmt::format("{:.6g}", x == 0.0 ? 0.0 : x); }
+
+std::string spread(const std::map<int, std::uint32_t>& counts, const char* what)
+{
+    std::string text;
+    for (const auto& [n, count] : counts) text += fmt::format("{}{} with {}", text.empty() ? "" : ", ", count, n);
+    return text.empty() ? "none" : fmt::format("{} {}", text, what);
+}
+
+std::string box_text(const Box& box)
+{
+    if (box.empty()) return "none";
+    const Vector size = box.size();
+    return fmt::format("{} x {} x {} {}, from {},{},{} to {},{},{}", rounded(size.x), rounded(size.y), rounded(size.z), units, rounded(box.min.x),
+                       rounded(box.min.y), rounded(box.min.z), rounded(box.max.x), rounded(box.max.y), rounded(box.max.z));
+}
+
+std::string lengths_text(double least, double mean, double most)
+{
+    return fmt::format("{} to {} {}, mean {} {}", rounded(least), rounded(most), units, rounded(mean), units);
+}
+
+template <class H>
+std::string selected(const std::vector<H>& list)
+{
+    return list.empty() ? "none" : Selector<H>::of(list).text();
+}
+
+void add_mesh(Table& t, const MeshFacts& m, const GroupTable& groups)
+{
+    t.add("vertices", m.counts.vertices);
+    t.add("edges", m.counts.edges);
+    t.add("faces", m.counts.faces);
+    t.add("corners", m.corners);
+    t.add("components", m.components);
+    t.add("Euler characteristic", std::to_string(m.euler));
+    std::string genus = std::to_string(m.genus);
+    if (m.component_genus.size() > 1 && m.component_genus.size() <= 16) {
+        const char* before = " (";
+        for (const std::int64_t g : m.component_genus) genus.append(std::exchange(before, " + ")).append(std::to_string(g));
+        genus += ')';
+    }
+    t.add("genus", genus);
+    t.add("watertight", m.boundary_edges == 0 ? "yes" : fmt::format("no, {}", counted(m.boundary_edges, "open edge", "open edges")));
+    t.add("oriented", "yes");
+    t.add("manifold", "yes");
+    t.add("volume", fmt::format("{} {}³", rounded(m.volume), units));
+    t.add("area", fmt::format("{} {}²", rounded(m.area), units));
+    t.add("bounding box", box_text(m.bounds));
+    if (m.counts.edges > 0) t.add("edge length", lengths_text(m.shortest_edge, m.mean_edge, m.longest_edge));
+    t.add("faces by sides", spread(m.sides, "sides"));
+    t.add("vertices by valence", spread(m.valences, "edges"));
+    t.add("largest nonplanarity", fmt::format("{} {}", rounded(m.max_nonplanarity), units));
+    for (const auto& [id, faces] : m.groups)
+        t.add(fmt::format("group {}", id), fmt::format("{}, {}{}{}", counted(faces, "face", "faces"), to_hex(groups.colour(id)),
+                                                       groups.name(id).empty() ? "" : ", ", groups.name(id)));
+}
+
+void add_graph(Table& t, const GraphFacts& g, const std::string& prefix)
+{
+    t.add(prefix + "vertices", g.vertices);
+    t.add(prefix + "edges", g.edges);
+    t.add(prefix + "components", g.components);
+    t.add(prefix + "cycle rank", std::to_string(g.cycle_rank));
+    t.add(prefix + "smallest angle", g.smallest_angle ? rounded(*g.smallest_angle) + " degrees" : "none");
+}
+
+} // namespace
+
+std::string info_json(const Scene& scene, std::string_view file)
+{
+    const Facts facts(scene);
+    const MeshFacts& m = facts.mesh;
+    Json j;
+    j["file"] = file;
+    j["kind"] = facts.only_graph ? "graph" : "mesh";
+    j["units"] = units;
+    if (facts.only_graph) add_graph(j, *facts.graph);
+    else add_mesh(j, m);
+    j["groups"] = groups_json(m, *scene.groups);
+    j["selection"] = {{"faces", ids_json(scene.selection->faces)},
+                      {"edges", ids_json(scene.selection->edges)},
+                      {"vertices", ids_json(scene.selection->vertices)}};
+    j["parallel_edges"] = m.parallel_edges;
+    j["point_spheres"] = m.point_spheres;
+    j["zero_thickness_walls"] = m.zero_thickness_walls;
+    j["self_intersections"] = nullptr;
+    if (facts.only_graph) {
+        add_own_of_graph(j, *facts.graph);
+    } else if (facts.graph) {
+        Json& g = j["graph"];
+        g["vertices"] = facts.graph->vertices;
+        g["edges"] = facts.graph->edges;
+        g["components"] = facts.graph->components;
+        add_own_of_graph(g, *facts.graph);
+    }
+    return j.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string info_text(const Scene& scene, std::string_view file)
+{
+    const Facts facts(scene);
+    Table t;
+    t.add("file", file);
+    t.add("kind", facts.only_graph ? "graph" : "mesh");
+    t.add("units", units);
+    if (facts.only_graph) {
+        const GraphFacts& g = *facts.graph;
+        add_graph(t, g, "");
+        t.add("bounding box", box_text(g.bounds));
+        if (g.edges > 0) t.add("edge length", lengths_text(g.shortest_edge, g.mean_edge, g.longest_edge));
+        t.add("vertices by valence", spread(g.valences, "edges"));
+    } else {
+        add_mesh(t, facts.mesh, *scene.groups);
+    }
+    const Selection& selection = *scene.selection;
+    t.add("selected faces", selected(selection.faces));
+    t.add("selected edges", selected(selection.edges));
+    t.add("selected vertices", selected(selection.vertices));
+    if (!facts.only_graph) {
+        t.add("parallel edges", facts.mesh.parallel_edges);
+        t.add("point spheres", facts.mesh.point_spheres);
+        t.add("walls of no thickness", facts.mesh.zero_thickness_walls);
+        if (facts.graph) add_graph(t, *facts.graph, "graph ");
+    }
+    return t.take();
+}
+
+} // namespace druse
