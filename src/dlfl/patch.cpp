@@ -57,9 +57,11 @@ void Patch::connect()
         const auto [lo, hi, s] = by_ends[i];
         const auto [lo2, hi2, s2] = by_ends[i + 1];
         ASSERT(lo == lo2 && hi == hi2 && polygons_[s] != polygons_[s2], "inner sides in pairs that run against each other");
+        ASSERT(i == 0 || lo != std::get<0>(by_ends[i - 1]) || hi != std::get<1>(by_ends[i - 1]), "inner edges between different vertices");
         partner[s] = s2;
         partner[s2] = s;
     }
+    check_disc(reference, next_side, partner);
 
     vertex_.assign(corners, 0);
     next_.assign(corners, 0);
@@ -104,9 +106,50 @@ void Patch::connect()
             else previous_[there - ring] = here - ring;
         }
     }
-    ASSERT(std::ranges::find(vertex_corner_, Corner::none) == vertex_corner_.end(), "every new vertex in a polygon");
     // V − E + F of a disc: the ring closes it, so ring + inner vertices, ring + new edges, and the polygons.
     ASSERT(inner_ - new_edges() + polygon_count() == 1, "polygons that make a disc");
+}
+
+void Patch::check_disc(std::span<const std::uint32_t> reference, std::span<const std::uint32_t> next_side,
+                       std::span<const std::uint32_t> partner) const
+{
+    const auto ring = static_cast<std::uint32_t>(ring_);
+    const auto sides = static_cast<std::uint32_t>(reference.size());
+    std::vector<std::uint32_t> previous_side(sides), first_at(static_cast<std::size_t>(inner_), sides);
+    for (std::uint32_t s = 0; s < sides; ++s) {
+        previous_side[next_side[s]] = s;
+        if (polygons_[s] >= ring_) first_at[static_cast<std::size_t>(polygons_[s] - ring_)] = s;
+    }
+    // One fan of sides at each corner of the ring, from its own side to the one before, and one rotation about each new vertex.
+    std::uint32_t met = 0;
+    for (std::uint32_t s = 0; s < sides; ++s)
+        if (reference[s] < ring)
+            for (std::uint32_t t = s;;) {
+                ++met;
+                const std::uint32_t into = previous_side[t];
+                if (reference[into] < ring) break;
+                t = partner[into];
+            }
+    for (const std::uint32_t first : first_at) {
+        ASSERT(first < sides, "every new vertex in a polygon");
+        std::uint32_t t = first;
+        do {
+            ++met;
+            t = partner[previous_side[t]];
+        } while (t != first);
+    }
+    ASSERT(met == sides, "one rotation about each vertex");
+
+    std::vector<std::uint32_t> reached{0};
+    std::vector<bool> seen(sides, false);
+    seen[0] = true;
+    for (std::size_t i = 0; i < reached.size(); ++i)
+        for (const std::uint32_t t : {next_side[reached[i]], reference[reached[i]] < ring ? next_side[reached[i]] : partner[reached[i]]})
+            if (!seen[t]) {
+                seen[t] = true;
+                reached.push_back(t);
+            }
+    ASSERT(reached.size() == sides, "polygons that hang together");
 }
 
 } // namespace druse

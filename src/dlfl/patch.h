@@ -13,7 +13,7 @@ namespace druse {
 ///
 /// Local numbers 0 … ring − 1 name the corners of the face from its start corner (corners, not vertices: a face may visit a
 /// vertex twice), ring … ring + inner − 1 the new vertices. Every side i → i + 1 of the ring belongs to exactly one polygon, every
-/// other side to two that run against each other. Polygons run counter-clockwise, start at the vertex listed first, and the
+/// other side to two that run against each other; no two of those join the same vertices. Polygons run counter-clockwise, start at the vertex listed first, and the
 /// first one keeps the id of the replaced face.
 ///
 /// connect() works out once, for all faces with as many corners, what each new corner, edge and face refers to, so that putting
@@ -37,6 +37,8 @@ public:
 
 private:
     friend class Mesh;
+
+    void check_disc(std::span<const std::uint32_t> reference, std::span<const std::uint32_t> next_side, std::span<const std::uint32_t> partner) const;
 
     // A reference to a corner is its place in the ring (below `ring_`) or ring_ + its number among the new corners; to a vertex,
     // the local number; to a face, the number of the polygon.
