@@ -145,6 +145,7 @@ Operator extrude_dodecahedral_operator();
 Operator extrude_icosahedral_operator();
 Operator extrude_cuboctahedral_operator();
 Operator extrude_rhombicuboctahedral_operator();
+Operator extrude_solid_operator();
 
 void register_extrude(Registry& registry)
 {
@@ -155,6 +156,7 @@ void register_extrude(Registry& registry)
     registry.add(extrude_icosahedral_operator());
     registry.add(extrude_cuboctahedral_operator());
     registry.add(extrude_rhombicuboctahedral_operator());
+    registry.add(extrude_solid_operator());
 }
 
 } // namespace druse

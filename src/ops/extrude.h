@@ -61,7 +61,7 @@ void flatten_top(Face face, const BaseFrame& frame, int tier, Cycle<Point> top, 
 
 /// Runs a kernel over faces, `iterations` times, each time on the tops it left.
 ///
-/// Kernel: `Tiling tiling() const`, `double angle`, `static constexpr bool mitred` (its walls meet over the corners),
+/// Kernel: `Tiling tiling() const`, `double angle`, `bool mitred` (its walls meet over the corners),
 /// `void place(const BaseFrame&, Point* tiers, Vector* slide) const`: writes the new vertices in the order of the tiling, and, unless
 /// null, the directions in which the top's vertices slide when the top is made flat.
 template <class Kernel>
@@ -75,7 +75,7 @@ std::vector<Face> extrude_faces(Mesh& mesh, std::vector<Face> faces, const Kerne
         TieredExtrusion extrusion(mesh, std::move(faces), tiling);
         for (std::size_t at = 0; at < extrusion.size(); ++at) {
             if (at % 4096 == 0) progress.step((k + double(at) / double(extrusion.size())) / iterations);
-            const BaseFrame& frame = maker.measure(mesh, extrusion.face(at), extrusion.ring(at), Kernel::mitred);
+            const BaseFrame& frame = maker.measure(mesh, extrusion.face(at), extrusion.ring(at), kernel.mitred);
             const std::span<Point> tiers = extrusion.room(at);
             if (flat && slide.size() < std::size_t(frame.n)) slide.resize(std::size_t(frame.n));
             kernel.place(frame, tiers.data(), flat ? slide.data() : nullptr);

@@ -24,6 +24,7 @@ struct Context {
     std::vector<std::string> notes; // one line each, without `note:`
     std::string output;             // of a query: one JSON object
     bool failed = false;            // of a query: something it looked for is wrong (exit 2 with strict=true)
+    std::function<Mesh(const std::filesystem::path&)> read_mesh; // reads a mesh file, `folder` and all. @throws InputError
 
     void note(std::string line) { notes.push_back(std::move(line)); }
 };

@@ -137,6 +137,7 @@ std::string Parameter::type_text() const
     case Type::colour: return "colour";
     case Type::text: return "text";
     case Type::file: return "file";
+    case Type::name_or_file: return "name or file";
     case Type::faces: return "faces";
     case Type::edges: return "edges";
     case Type::vertices: return "vertices";

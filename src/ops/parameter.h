@@ -71,7 +71,7 @@ struct Domain {
 /// One parameter of an operator, its type erased.
 struct Parameter {
     /// What a panel needs to know to make a control for it.
-    enum class Type { number, integer, toggle, word, numbers, integers, texts, point, colour, text, file, faces, edges, vertices, id, corner };
+    enum class Type { number, integer, toggle, word, numbers, integers, texts, point, colour, text, file, name_or_file, faces, edges, vertices, id, corner };
 
     std::string name, help;
     Type type = Type::number;
@@ -85,6 +85,11 @@ struct Parameter {
     std::function<std::string(const void*)> text;      // empty: unset
 
     std::string type_text() const;     // `number`, `3 numbers`, `faces`, …
+    /// Whether this value names a file: of a name_or_file, one with a dot or a slash.
+    bool names_file(std::string_view value) const
+    {
+        return type == Type::file || (type == Type::name_or_file && value.find_first_of("./") != std::string_view::npos);
+    }
 };
 
 /// How a C++ type is a parameter: read<T>::from, read<T>::text, and its tag.

@@ -1,0 +1,586 @@
+#include "ops/solid_pattern.h"
+
+#include "dlfl/errors.h"
+#include "dlfl/measures.h"
+#include "ops/extrude_frame.h"
+
+#include <fmt/format.h>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace druse {
+
+namespace {
+
+constexpr double same_place = 1e-6; // of the base's mean edge: elevations, azimuths and distances that count as equal
+constexpr double full = 2.0 * pi;
+constexpr double same_azimuth = 1e-6 * pi / 180.0;
+
+/// Finds the point near a place.
+class PointFinder {
+public:
+    PointFinder(const std::vector<Point>& points, double reach) : points_(points), reach_(reach), cell_(std::max(4.0 * reach, spread(points)))
+    {
+        for (std::uint32_t i = 0; i < points.size(); ++i) cells_.emplace(key(cell_of(points[i])), i);
+    }
+    /// The lowest-numbered point within reach, or Vertex::none.
+    std::uint32_t find(const Point& p) const
+    {
+        std::uint32_t best = Vertex::none;
+        const glm::i64vec3 low = cell_of(p - Vector(reach_)), high = cell_of(p + Vector(reach_));
+        for (auto x = low.x; x <= high.x; ++x)
+            for (auto y = low.y; y <= high.y; ++y)
+                for (auto z = low.z; z <= high.z; ++z) {
+                    const auto [begin, end] = cells_.equal_range(key({x, y, z}));
+                    for (auto it = begin; it != end; ++it)
+                        if (glm::distance(points_[it->second], p) <= reach_) best = std::min(best, it->second);
+                }
+        return best;
+    }
+
+private:
+    static double spread(const std::vector<Point>& points)
+    {
+        Box box;
+        for (const Point& p : points) box.add(p);
+        return box.diagonal() / std::cbrt(double(points.size()) + 1.0);
+    }
+    glm::i64vec3 cell_of(const Point& p) const { return glm::i64vec3(glm::floor(p / cell_)); }
+    static std::uint64_t key(const glm::i64vec3& c)
+    {
+        return std::uint64_t(c.x) * 0x9e3779b97f4a7c15ull ^ std::uint64_t(c.y) * 0xc2b2ae3d27d4eb4full ^ std::uint64_t(c.z) * 0x165667b19e3779f9ull;
+    }
+    const std::vector<Point>& points_;
+    double reach_, cell_;
+    std::unordered_multimap<std::uint64_t, std::uint32_t> cells_;
+};
+
+/// Reads one solid from one base face. The steps are those of SolidPattern's reading, in order; each uses what the ones before left.
+class Reader {
+public:
+    Reader(const Mesh& solid, Face base, const PatternChoice& choice) : solid_(solid), base_(base), choice_(choice) { stand_on_base(); }
+
+    /// The largest number of turns that carry the solid into itself.
+    int largest_turn()
+    {
+        for (int k = sides(); k > 1; --k)
+            if (sides() % k == 0 && !turned_vertices(k).empty()) return k;
+        return 1;
+    }
+
+    SolidPattern read(int turns)
+    {
+        pattern_.sides = sides();
+        pattern_.turns = turns;
+        pattern_.edges = sides() / turns;
+        next_ = turned_vertices(turns);
+        if (!choice_.exact) average_turns();
+        refuse_below_base();
+        turn_to_phase();
+        find_orbits();
+        find_rows();
+        for (std::size_t i = 0; i < pattern_.orbits.size(); ++i) hang_over_base(i);
+        for (std::size_t i = 0; i < pattern_.orbits.size(); ++i) find_below(i);
+        return std::move(pattern_);
+    }
+
+private:
+    int sides() const { return static_cast<int>(foot_.size()); }
+    int wedges() const { return pattern_.turns; }
+    double wedge_angle() const { return full / pattern_.turns; }
+
+    // --- the frame: base in z = 0, the solid above, mean base edge 1 ---------------------------------------------------------
+
+    void stand_on_base()
+    {
+        for (const Corner c : solid_.corners(base_)) foot_.push_back(solid_.vertex(c).index);
+        const Point origin = vertex_mean(solid_, base_);
+        double edge = 0.0;
+        for (const Corner c : solid_.corners(base_)) edge += length(solid_, solid_.edge(c)) / sides();
+        if (sides() < 3 || !(edge > 0.0) || !(area(solid_, base_) > 0.0)) throw CommandError(fmt::format("face {} of the solid has no area", base_.index));
+        const Vector up = -unit_normal(solid_, base_);
+        const Vector start = solid_.position(Vertex(foot_[0])) - origin;
+        const Vector x = unit(start - glm::dot(start, up) * up, 0.0, glm::cross(up, std::abs(up.x) < 0.7 ? Vector(1, 0, 0) : Vector(0, 1, 0)));
+        const Vector y = (choice_.mirror ? -1.0 : 1.0) * glm::cross(up, x);
+        for (const Vertex v : solid_.vertices()) {
+            const Vector d = (solid_.position(v) - origin) / edge;
+            place_.emplace_back(glm::dot(d, x), glm::dot(d, y), glm::dot(d, up));
+        }
+        // From above the base runs clockwise, unless the mirror has turned it round already.
+        if (!choice_.mirror) std::reverse(foot_.begin() + 1, foot_.end());
+    }
+
+    void refuse_below_base() const
+    {
+        std::vector<bool> in_base(place_.size(), false);
+        for (const std::uint32_t v : foot_) in_base[v] = true;
+        for (std::size_t v = 0; v < place_.size(); ++v)
+            if (place_[v].z < -same_place || (!in_base[v] && place_[v].z <= same_place)) throw CommandError("the solid reaches below its base face");
+    }
+
+    // --- symmetry ----------------------------------------------------------------------------------------------------------------
+
+    static Point turned(const Point& p, double angle)
+    {
+        const double c = std::cos(angle), s = std::sin(angle);
+        return {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
+    }
+
+    /// Where the turn by 360°/k carries each vertex; empty if it does not carry the solid, vertices and faces, into itself.
+    std::vector<std::uint32_t> turned_vertices(int k)
+    {
+        std::vector<std::uint32_t> image(place_.size());
+        if (k == 1) {
+            for (std::uint32_t v = 0; v < image.size(); ++v) image[v] = v;
+            return image;
+        }
+        if (!finder_) finder_.emplace(place_, choice_.exact ? 1e-6 : 1e-4);
+        std::vector<bool> taken(place_.size(), false);
+        for (std::uint32_t v = 0; v < image.size(); ++v) {
+            image[v] = finder_->find(turned(place_[v], full / k));
+            if (image[v] == Vertex::none || taken[image[v]]) return {};
+            taken[image[v]] = true;
+        }
+        // Faces go to faces if sides go to sides, and what follows a side in its face follows its image.
+        for (const Face f : solid_.faces())
+            for (const Corner c : solid_.corners(f)) {
+                const Corner there = side(image[solid_.vertex(c).index], image[solid_.target(c).index]);
+                if (!there.valid() || solid_.target(solid_.next(there)).index != image[solid_.target(solid_.next(c)).index]) return {};
+            }
+        return image;
+    }
+
+    Corner side(std::uint32_t from, std::uint32_t to) const
+    {
+        for (const Corner c : solid_.around(Vertex(from)))
+            if (solid_.target(c).index == to) return c;
+        return {};
+    }
+
+    /// Makes the symmetry of coordinates from a file exact: every vertex becomes the mean of its images, turned back.
+    void average_turns()
+    {
+        std::vector<Point> mean(place_.size(), Point(0.0));
+        for (std::uint32_t v = 0; v < place_.size(); ++v) {
+            std::uint32_t w = v;
+            for (int j = 0; j < wedges(); ++j, w = next_[w]) mean[v] += turned(place_[w], -j * wedge_angle()) / double(wedges());
+        }
+        place_ = std::move(mean);
+        finder_.reset();
+    }
+
+    // --- phase ---------------------------------------------------------------------------------------------------------------------
+
+    /// The face over base edge i, from foot i to foot i + 1.
+    Face wall(int i) const
+    {
+        const std::uint32_t a = foot_[std::size_t(i % sides())], b = foot_[std::size_t((i + 1) % sides())];
+        const Corner c = side(a, b), d = side(b, a);
+        ASSERT(c.valid() && d.valid(), "base edges with two sides");
+        return solid_.face(solid_.face(c) == base_ ? d : c);
+    }
+
+    void turn_to_phase()
+    {
+        const int m = pattern_.edges;
+        std::vector<int> counts;
+        for (int i = 0; i < m; ++i) counts.push_back(solid_.valence(wall(i)));
+        int best = 0;
+        const auto later_is_larger = [&](int r, int s) {
+            for (int i = 0; i < m; ++i)
+                if (const int a = counts[std::size_t((r + i) % m)], b = counts[std::size_t((s + i) % m)]; a != b) return b > a;
+            return false;
+        };
+        for (int r = 1; r < m; ++r)
+            if (later_is_larger(best, r)) best = r;
+        std::rotate(foot_.begin(), foot_.begin() + (best + choice_.phase) % m, foot_.end());
+        const Point& first = place_[foot_[0]];
+        const double azimuth = std::atan2(first.y, first.x);
+        for (Point& p : place_) p = turned(p, -azimuth);
+        for (int i = 0; i < m; ++i) {
+            // The wall's outward normal, seen square to its edge: its interior dihedral angle with the base.
+            const Point &a = place_[foot_[std::size_t(i)]], &b = place_[foot_[std::size_t((i + 1) % sides())]];
+            const Vector along = unit(b - a), out = glm::cross(along, Vector(0, 0, 1));
+            Vector newell(0.0);
+            for (const Corner c : solid_.corners(wall(i))) newell += glm::cross(place_[solid_.vertex(c).index] - a, place_[solid_.target(c).index] - a);
+            if (choice_.mirror) newell = -newell;
+            pattern_.wall_angles.push_back(std::atan2(glm::dot(newell, out), glm::dot(newell, Vector(0, 0, 1))));
+        }
+    }
+
+    // --- vertices ----------------------------------------------------------------------------------------------------------------
+
+    static bool on_axis(const Point& p) { return std::hypot(p.x, p.y) < same_place; }
+    /// 0 … 360°, where what lies just below 360° counts as 0.
+    static double azimuth(const Point& p)
+    {
+        double a = std::atan2(p.y, p.x);
+        if (a < 0.0) a += full;
+        return a > full - same_azimuth ? 0.0 : a;
+    }
+    bool in_first_wedge(const Point& p) const { return azimuth(p) < wedge_angle() - same_azimuth; }
+
+    void find_orbits()
+    {
+        orbit_of_.assign(place_.size(), none);
+        wedge_of_.assign(place_.size(), 0);
+        const auto mark = [this](std::uint32_t v, int orbit) {
+            for (int j = 0; j < wedges(); ++j, v = next_[v]) {
+                orbit_of_[v] = orbit;
+                wedge_of_[v] = j;
+            }
+        };
+        for (int a = 0; a < pattern_.edges; ++a) mark(foot_[std::size_t(a)], -1 - a);
+
+        std::vector<std::uint32_t> raised;
+        for (std::uint32_t v = 0; v < place_.size(); ++v)
+            if (orbit_of_[v] == none) raised.push_back(v);
+        std::ranges::sort(raised, {}, [this](std::uint32_t v) { return place_[v].z; });
+        int tier = 0;
+        double elevation = 0.0;
+        std::vector<std::pair<std::uint32_t, int>> first; // representative and tier
+        std::optional<std::pair<std::uint32_t, int>> apex;
+        for (const std::uint32_t v : raised) {
+            if (tier == 0 || place_[v].z > elevation + same_place) {
+                ++tier;
+                elevation = place_[v].z;
+            }
+            if (on_axis(place_[v])) {
+                if (apex) wraps();
+                apex = {v, tier};
+            } else if (wedges() == 1 || in_first_wedge(place_[v])) {
+                first.emplace_back(v, tier);
+            }
+        }
+        pattern_.tiers = tier;
+        std::ranges::stable_sort(first, [this](const auto& a, const auto& b) {
+            return std::pair(a.second, azimuth(place_[a.first])) < std::pair(b.second, azimuth(place_[b.first]));
+        });
+        for (const auto& [v, t] : first) {
+            if (orbit_of_[v] != none) wraps(); // two of one orbit in the first wedge: the symmetry is no turn about this axis
+            mark(v, static_cast<int>(representative_.size()));
+            representative_.push_back(v);
+            pattern_.orbits.push_back({t, {}, {}, {}});
+        }
+        if (apex) {
+            pattern_.has_apex = true;
+            orbit_of_[apex->first] = static_cast<int>(representative_.size());
+            representative_.push_back(apex->first);
+            pattern_.orbits.push_back({apex->second, {SolidPattern::Place::Kind::apex, 0, 0, 0, 0}, {}, {}});
+        }
+        if (std::ranges::find(orbit_of_, none) != orbit_of_.end()) wraps();
+    }
+
+    [[noreturn]] static void wraps() { throw CommandError("the solid wraps round its axis"); }
+    bool is_apex(std::uint32_t v) const { return orbit_of_[v] >= 0 && pattern_.orbits[std::size_t(orbit_of_[v])].place.kind == SolidPattern::Place::Kind::apex; }
+
+    // --- faces -------------------------------------------------------------------------------------------------------------------
+
+    struct Walk {
+        std::vector<std::uint32_t> vertices; // counter-clockwise from outside
+        std::vector<double> lifted;          // azimuths that go on from one vertex to the next
+        double around = 0.0;                 // how far the azimuth has come when the walk is back
+        bool crosses_axis = false;           // an edge of it does
+    };
+
+    static double turn_between(double from, double to)
+    {
+        double d = std::fmod(to - from, full);
+        if (d > pi) d -= full;
+        if (d <= -pi) d += full;
+        return d;
+    }
+
+    Walk walk(Face f) const
+    {
+        Walk w;
+        for (const Corner c : solid_.corners(f)) w.vertices.push_back(solid_.vertex(c).index);
+        if (choice_.mirror) std::reverse(w.vertices.begin(), w.vertices.end());
+        const std::size_t n = w.vertices.size();
+        w.lifted.assign(n, 0.0);
+        std::vector<std::size_t> off_axis, straight;
+        for (std::size_t i = 0; i < n; ++i)
+            if (!on_axis(place_[w.vertices[i]])) off_axis.push_back(i);
+        std::vector<double> steps;
+        for (std::size_t i = 0; i < off_axis.size(); ++i) {
+            const std::size_t a = off_axis[i], b = off_axis[(i + 1) % off_axis.size()];
+            steps.push_back(turn_between(azimuth(place_[w.vertices[a]]), azimuth(place_[w.vertices[b]])));
+            if (std::abs(std::abs(steps.back()) - pi) < same_azimuth) {
+                w.crosses_axis = w.crosses_axis || b == (a + 1) % n;
+                straight.push_back(i);
+            }
+        }
+        double sum = 0.0;
+        for (const double d : steps) sum += d;
+        // A step of just half a turn may go either way round: take the way that brings the walk back to where it began.
+        for (const std::size_t i : straight)
+            if (std::abs(sum) > 0.5 * full) {
+                sum -= 2.0 * steps[i];
+                steps[i] = -steps[i];
+            }
+        w.around = sum;
+        double at = off_axis.empty() ? 0.0 : azimuth(place_[w.vertices[off_axis[0]]]);
+        for (std::size_t i = 0; i < off_axis.size(); ++i) {
+            w.lifted[off_axis[i]] = at;
+            at += steps[i];
+        }
+        return w;
+    }
+
+    Point centre(const std::vector<std::uint32_t>& vertices) const
+    {
+        Point sum(0.0);
+        for (const std::uint32_t v : vertices) sum += place_[v];
+        return sum / double(vertices.size());
+    }
+
+    void find_rows()
+    {
+        struct Row {
+            double elevation, azimuth;
+            std::vector<Tiling::Spot> spots;
+            Face face;
+        };
+        std::vector<Row> rows;
+        std::vector<int> crossing; // orbits of an edge through the axis
+        Face top;
+        for (const Face f : solid_.faces()) {
+            if (f == base_) continue;
+            Walk w = walk(f);
+            if (std::abs(w.around) > 0.5 * full) {
+                if (top.valid() || std::abs(std::abs(w.around) - full) > 1e-3 || w.around < 0.0) wraps();
+                top = f;
+                set_top(std::move(w.vertices));
+                continue;
+            }
+            const Point middle = centre(w.vertices);
+            if (w.crosses_axis) {
+                for (std::size_t i = 0; i < w.vertices.size(); ++i) {
+                    const std::uint32_t a = w.vertices[i], b = w.vertices[(i + 1) % w.vertices.size()];
+                    if (!on_axis(place_[a]) && !on_axis(place_[b]) && std::abs(std::abs(turn_between(azimuth(place_[a]), azimuth(place_[b]))) - pi) < same_azimuth)
+                        crossing.push_back(orbit_of_[a]);
+                }
+            }
+            if (wedges() > 1 && (on_axis(middle) || !in_first_wedge(middle))) {
+                if (on_axis(middle)) wraps();
+                continue;
+            }
+            // Lift the azimuths to the turn in which the face's own centre lies.
+            double mean = 0.0;
+            int counted = 0;
+            for (std::size_t i = 0; i < w.vertices.size(); ++i)
+                if (!on_axis(place_[w.vertices[i]])) {
+                    mean += w.lifted[i];
+                    ++counted;
+                }
+            const double shift = counted > 0 && !on_axis(middle) ? full * std::round((azimuth(middle) - mean / counted) / full) : 0.0;
+            Row row{std::round(middle.z / same_place), std::round(azimuth(middle) / same_place), {}, f};
+            std::size_t lowest = 0;
+            for (std::size_t i = 0; i < w.vertices.size(); ++i) {
+                w.lifted[i] += shift;
+                const double z = place_[w.vertices[i]].z, least = place_[w.vertices[lowest]].z;
+                if (z < least - same_place || (z <= least + same_place && w.lifted[i] < w.lifted[lowest] - same_azimuth)) lowest = i;
+            }
+            for (std::size_t k = 0; k < w.vertices.size(); ++k) {
+                const std::size_t i = (lowest + k) % w.vertices.size();
+                row.spots.push_back(spot(w.vertices[i], w.lifted[i]));
+            }
+            rows.push_back(std::move(row));
+        }
+        std::ranges::stable_sort(rows, [](const Row& a, const Row& b) { return std::pair(a.elevation, a.azimuth) < std::pair(b.elevation, b.azimuth); });
+        for (Row& row : rows) pattern_.rows.push_back(std::move(row.spots));
+        find_wall_rows();
+
+        if (!top.valid() && !pattern_.has_apex) {
+            if (crossing.empty() || wedges() > 2) {
+                if (wedges() > 1) wraps();
+            } else if (wedges() == 2) {
+                pattern_.top = {crossing[0]};
+            }
+        }
+    }
+
+    void set_top(std::vector<std::uint32_t> corners)
+    {
+        std::erase_if(corners, [this](std::uint32_t v) { return wedges() > 1 && !in_first_wedge(place_[v]); });
+        std::ranges::stable_sort(corners, {}, [this](std::uint32_t v) { return azimuth(place_[v]); });
+        for (const std::uint32_t v : corners) pattern_.top.push_back(orbit_of_[v]);
+    }
+
+    /// A vertex in the copy of the wedge in which its lifted azimuth lies.
+    Tiling::Spot spot(std::uint32_t v, double lifted) const
+    {
+        if (is_apex(v)) return {orbit_of_[v], 0};
+        const double own = azimuth(place_[orbit_of_[v] >= 0 ? representative_[std::size_t(orbit_of_[v])] : foot_[std::size_t(-1 - orbit_of_[v])]]);
+        return {orbit_of_[v], static_cast<int>(std::lround((lifted - own) / wedge_angle()))};
+    }
+
+    void find_wall_rows()
+    {
+        for (int a = 0; a < pattern_.edges; ++a) {
+            const Tiling::Spot from{-1 - a, 0}, to = a + 1 < pattern_.edges ? Tiling::Spot{-2 - a, 0} : Tiling::Spot{-1, 1};
+            int found = -1;
+            for (std::size_t r = 0; r < pattern_.rows.size(); ++r) {
+                const auto& row = pattern_.rows[r];
+                for (std::size_t i = 0; i < row.size(); ++i) {
+                    const Tiling::Spot &p = row[i], &q = row[(i + 1) % row.size()];
+                    if (p.orbit == from.orbit && q.orbit == to.orbit && q.wedge - p.wedge == to.wedge - from.wedge) found = static_cast<int>(r);
+                }
+            }
+            if (found < 0) wraps();
+            pattern_.wall_rows.push_back(found);
+        }
+    }
+
+    // --- where vertices hang -------------------------------------------------------------------------------------------------------
+
+    Point foot(int i) const { return place_[foot_[std::size_t(((i % sides()) + sides()) % sides())]]; }
+    Vector edge_direction(int e) const { return unit(foot(e + 1) - foot(e)); }
+    static Vector outward(const Vector& along) { return glm::cross(along, Vector(0, 0, 1)); }
+    /// The edge or corner `i` as one counts it from the wedge of a vertex at azimuth `own`: its number goes on with the azimuth.
+    int lifted(int i, const Point& at, double own) const
+    {
+        const double there = azimuth(at), turns = std::round((own - there) / full);
+        return i + sides() * static_cast<int>(turns);
+    }
+
+    SolidPattern::Place beside_edge(int e, const Point& p) const
+    {
+        const Point a = foot(e), b = foot(e + 1);
+        const Vector side = b - a;
+        return {SolidPattern::Place::Kind::edge, e, glm::dot(p - a, side) / glm::dot(side, side), glm::dot(p - a, outward(unit(side))), p.z};
+    }
+    SolidPattern::Place over_corner(int c, const Point& p) const
+    {
+        const Vector before = edge_direction(c - 1), after = edge_direction(c), d = p - foot(c);
+        return {SolidPattern::Place::Kind::corner, c, glm::dot(d, unit(before + after)), 0.5 * glm::dot(d, outward(before) + outward(after)), p.z};
+    }
+
+    void hang_over_base(std::size_t i)
+    {
+        SolidPattern::Orbit& orbit = pattern_.orbits[i];
+        const Point& p = place_[representative_[i]];
+        if (orbit.place.kind == SolidPattern::Place::Kind::apex) {
+            for (int e = 0; e < pattern_.edges; ++e) orbit.apex_places.push_back(beside_edge(e, p));
+            return;
+        }
+        const auto middle = [this](int e) { return 0.5 * (foot(e) + foot(e + 1)); };
+        int nearest = 0;
+        for (int e = 1; e < sides(); ++e)
+            if (glm::distance(p, middle(e)) < glm::distance(p, middle(nearest)) - same_place) nearest = e;
+        const double least = glm::distance(p, middle(nearest));
+        const auto ties = [&](int e) { return std::abs(glm::distance(p, middle(e)) - least) <= same_place; };
+        int corner = -1;
+        if (ties(nearest + 1)) corner = nearest + 1;
+        else if (ties(nearest - 1)) corner = nearest;
+        SolidPattern::Place place;
+        const double own = azimuth(p);
+        if (corner < 0) {
+            place = beside_edge(nearest, p);
+            if (place.along < -same_place) corner = nearest;
+            if (place.along > 1.0 + same_place) corner = nearest + 1;
+        }
+        if (corner >= 0) {
+            place = over_corner(corner, p);
+            place.at = lifted(((corner % sides()) + sides()) % sides(), foot(corner), own);
+            pattern_.mitred = true;
+        } else {
+            place.at = lifted(nearest, middle(nearest), own);
+        }
+        orbit.place = place;
+    }
+
+    void find_below(std::size_t i)
+    {
+        SolidPattern::Orbit& orbit = pattern_.orbits[i];
+        const std::uint32_t v = representative_[i];
+        const auto tier_of = [this](std::uint32_t w) { return orbit_of_[w] < 0 ? 0 : pattern_.orbits[std::size_t(orbit_of_[w])].tier; };
+        // Counted from the vertex's own azimuth, so that a neighbour across 0° is in wedge −1.
+        const auto spot_near = [&](std::uint32_t w) {
+            if (is_apex(w) || is_apex(v)) return Tiling::Spot{orbit_of_[w], wedge_of_[w]};
+            return spot(w, azimuth(place_[v]) + turn_between(azimuth(place_[v]), azimuth(place_[w])));
+        };
+        for (const Corner c : solid_.around(Vertex(v)))
+            if (const std::uint32_t w = solid_.target(c).index; tier_of(w) < orbit.tier) orbit.below.push_back(spot_near(w));
+        if (orbit.below.empty()) {
+            std::uint32_t nearest = foot_[0];
+            for (std::uint32_t w = 0; w < place_.size(); ++w)
+                if (tier_of(w) < orbit.tier && glm::distance(place_[w], place_[v]) < glm::distance(place_[nearest], place_[v]) - same_place) nearest = w;
+            orbit.below.push_back(spot_near(nearest));
+        }
+        // The apex has the neighbours of one wedge in every wedge.
+        if (is_apex(v)) {
+            std::ranges::sort(orbit.below, {}, &Tiling::Spot::orbit);
+            orbit.below.erase(std::unique(orbit.below.begin(), orbit.below.end(), [](auto a, auto b) { return a.orbit == b.orbit; }), orbit.below.end());
+        }
+    }
+
+    static constexpr int none = 1 << 30;
+
+    const Mesh& solid_;
+    const Face base_;
+    const PatternChoice& choice_;
+    SolidPattern pattern_;
+    std::vector<std::uint32_t> foot_;           // the base's vertices, counter-clockwise from above
+    std::vector<Point> place_;                  // of each vertex, in the frame
+    std::vector<std::uint32_t> next_;           // image under the turn by one wedge
+    std::vector<int> orbit_of_, wedge_of_;      // base orbits are −1, −2, …
+    std::vector<std::uint32_t> representative_; // of each orbit
+    std::optional<PointFinder> finder_;
+};
+
+} // namespace
+
+Tiling SolidPattern::tiling() const
+{
+    Tiling tile(edges);
+    for (int t = 1; t <= tiers; ++t)
+        if (const auto in_tier = std::ranges::count_if(orbits, [t](const Orbit& o) { return o.tier == t && o.place.kind != Place::Kind::apex; }))
+            tile.tier(static_cast<int>(in_tier));
+    if (has_apex) tile.apex();
+    std::vector<Tiling::Orbit> around;
+    for (const int orbit : top) around.push_back({orbit});
+    tile.top(std::move(around));
+    for (const auto& row : rows) tile.row(row);
+    return tile;
+}
+
+SolidPattern read_pattern(const Mesh& solid, const PatternChoice& choice)
+{
+    if (solid.boundary_count() > 0) throw CommandError("the solid is open");
+    if (const Components parts = components(solid); parts.parts.size() != 1 || parts.parts[0].euler != 2)
+        throw CommandError("the solid must be closed, in one piece and without holes through it");
+    Face base;
+    int turns = 0;
+    if (choice.base) {
+        base = *choice.base;
+        if (base.index >= solid.face_limit()) throw CommandError(fmt::format("the solid has no face {}", base.index));
+        turns = Reader(solid, base, choice).largest_turn();
+    } else {
+        int sides = 0;
+        for (const Face f : solid.faces()) {
+            const int n = solid.valence(f);
+            // A face cannot beat the best one so far if it has too few sides to turn as often.
+            if ((choice.sides && n != *choice.sides) || n < 3 || n < turns) continue;
+            const int k = Reader(solid, f, choice).largest_turn();
+            if (k > turns || (k == turns && n > sides)) {
+                base = f;
+                turns = k;
+                sides = n;
+            }
+        }
+        if (!base.valid()) throw CommandError(choice.sides ? fmt::format("the solid has no face with {} sides", *choice.sides) : "the solid has no face to stand on");
+    }
+    if (choice.turns) {
+        if (turns % *choice.turns != 0) throw CommandError(fmt::format("turns={}: expected a divisor of {}", *choice.turns, turns));
+        turns = *choice.turns;
+    }
+    const int edges = solid.valence(base) / turns;
+    if (choice.phase < 0 || choice.phase >= edges) throw CommandError(fmt::format("phase={}: expected 0 to {}", choice.phase, edges - 1));
+    return Reader(solid, base, choice).read(turns);
+}
+
+} // namespace druse
