@@ -146,6 +146,10 @@ Operator extrude_icosahedral_operator();
 Operator extrude_cuboctahedral_operator();
 Operator extrude_rhombicuboctahedral_operator();
 Operator extrude_solid_operator();
+Operator extrude_doo_sabin_operator();
+Operator extrude_dome_operator();
+Operator extrude_stellate_operator();
+Operator extrude_double_stellate_operator();
 
 void register_extrude(Registry& registry)
 {
@@ -157,6 +161,10 @@ void register_extrude(Registry& registry)
     registry.add(extrude_cuboctahedral_operator());
     registry.add(extrude_rhombicuboctahedral_operator());
     registry.add(extrude_solid_operator());
+    registry.add(extrude_doo_sabin_operator());
+    registry.add(extrude_dome_operator());
+    registry.add(extrude_stellate_operator());
+    registry.add(extrude_double_stellate_operator());
 }
 
 } // namespace druse

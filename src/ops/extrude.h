@@ -94,25 +94,36 @@ struct ExtrusionParameters : ExtrusionScope, Kernel {
     bool flat = false;
 };
 
-/// Begins the registration of a tiered extrusion: the parameters that all of them share and, for kernels with a top, iterations and flat.
+/// Begins the registration of an extrusion: the faces and groups that all of them share.
 template <class Kernel>
-Definition<ExtrusionParameters<Kernel>> define_extrusion(std::string name, std::string help)
+Definition<ExtrusionParameters<Kernel>> define_untilted_extrusion(std::string name, std::string help)
 {
     using P = ExtrusionParameters<Kernel>;
     auto definition = define<P>(std::move(name), std::move(help));
     definition.param(&P::faces, "faces", "faces to extrude")
         .param(&P::grouped, "grouped", "extrude all faces of the groups of these faces with them")
+        .param(&P::groups, "groups", new_group_words(), "group ids of the new faces: one each, one a row, the old one, or none")
+        .keeps_euler()
+        .run([](Scene& scene, const P& p, Context& context) {
+            std::vector<Face> faces = collect_faces(scene, p);
+            scene.selection.edit().faces =
+                extrude_faces<Kernel>(scene.mesh, std::move(faces), p, p.groups, p.iterations, p.flat, context.progress);
+        });
+    return definition;
+}
+
+/// Begins the registration of a tiered extrusion: also angle, heights and, for kernels with a top, iterations and flat.
+template <class Kernel>
+Definition<ExtrusionParameters<Kernel>> define_extrusion(std::string name, std::string help)
+{
+    using P = ExtrusionParameters<Kernel>;
+    auto definition = define_untilted_extrusion<Kernel>(std::move(name), std::move(help));
+    definition
         .param(&P::angle, "angle", Unit::degrees, {1, 179}, "interior dihedral angle between the base and the walls on its edges; 90 is upright")
-        .param(&P::heights, "heights", Unit::ratio, nonzero(-100, 100), "how far each tier is moved, in mean lengths of the base edges")
-        .param(&P::groups, "groups", new_group_words(), "group ids of the new faces: one each, one a row, the old one, or none");
+        .param(&P::heights, "heights", Unit::ratio, nonzero(-100, 100), "how far each tier is moved, in mean lengths of the base edges");
     if constexpr (Kernel::has_top)
         definition.param(&P::iterations, "iterations", Unit::count, {1, 50}, "how often: each time on the tops of the time before")
             .param(&P::flat, "flat", "slide the vertices of the top into one plane");
-    definition.keeps_euler().run([](Scene& scene, const P& p, Context& context) {
-        std::vector<Face> faces = collect_faces(scene, p);
-        scene.selection.edit().faces =
-            extrude_faces<Kernel>(scene.mesh, std::move(faces), p, p.groups, p.iterations, p.flat, context.progress);
-    });
     return definition;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dlfl/mesh.h"
+#include "geom/angle.h"
 #include "geom/cycle.h"
 
 #include <span>
@@ -8,8 +9,6 @@
 
 namespace druse {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
 
 /// An interior dihedral angle by its sine and cosine.
 struct Angle {

@@ -260,5 +260,48 @@ TEST(Families, GiveBackTheirSolidsOnEveryFaceAndTurn)
     EXPECT_GE(builds, 80);
 }
 
+// --- TopMod's other extrusions ------------------------------------------------------------------------------------------------
+
+TEST(OtherExtrusions, GrowByTheirCounts)
+{
+    for (const std::uint32_t n : {3u, 4u, 7u}) {
+        const auto extruded = [n](const std::string& name, std::vector<std::pair<std::string, std::string>> more = {}) {
+            Scene scene;
+            scene.mesh = dihedron(int(n));
+            more.emplace_back("faces", "0");
+            run(scene, name, more);
+            EXPECT_SOUND(scene.mesh);
+            EXPECT_EQ(genus(scene.mesh), 0);
+            return counts(scene.mesh);
+        };
+        EXPECT_EQ(extruded("extrude.stellate"), (Counts{n + 1, 2 * n, n + 1}));
+        EXPECT_EQ(extruded("extrude.double_stellate"), (Counts{2 * n + 1, 5 * n, 3 * n + 1}));
+        EXPECT_EQ(extruded("extrude.doo_sabin", {{"iterations", "3"}}), (Counts{4 * n, 7 * n, 3 * n + 2}));
+        EXPECT_EQ(extruded("extrude.dome"), (Counts{6 * n + 1, 12 * n, 6 * n + 1}));
+    }
+}
+
+TEST(OtherExtrusions, StandWhereTheirFormulasSay)
+{
+    const auto extruded = [](const std::string& name, std::vector<std::pair<std::string, std::string>> more = {}) {
+        Scene scene;
+        scene.mesh = two_sided({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
+        more.emplace_back("faces", "0");
+        run(scene, name, more);
+        return std::move(scene.mesh);
+    };
+    EXPECT_EQ(extruded("extrude.stellate", {{"height", "0.5"}}).position(Vertex(4)), Point(1, 1, 1));
+    const Mesh folded = extruded("extrude.double_stellate");
+    EXPECT_LT(glm::distance(folded.position(Vertex(4)), Point(1, 1.0 / 3, 0)), 1e-15);
+    EXPECT_EQ(folded.position(Vertex(8)), Point(1, 1, 2));
+    // Doo–Sabin on a square: weights 9/16, 3/16, 1/16, 3/16, so corner (0,0) goes to (1/2, 1/2).
+    const Mesh block = extruded("extrude.doo_sabin", {{"height", "2"}, {"scale", "2"}});
+    EXPECT_LT(glm::distance(block.position(Vertex(4)), Point(0, 0, 4)), 1e-14);
+    // Half a twist puts the corners on the middles of the edges first.
+    EXPECT_LT(glm::distance(extruded("extrude.doo_sabin", {{"twist", "0.5"}}).position(Vertex(4)), Point(1, 0.5, 2)), 1e-14);
+    // The dome's steps rise .3 .18 .1 .05 .025 and its tip .01, in edges of length 2.
+    EXPECT_NEAR(bounds(extruded("extrude.dome")).max.z, 2 * 0.665, 1e-14);
+}
+
 } // namespace
 } // namespace druse
