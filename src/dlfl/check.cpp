@@ -40,6 +40,7 @@ public:
 
     std::string edge(Edge e) const
     {
+        if (mesh_.corner(e, 0) == mesh_.corner(e, 1)) return fmt::format("edge {}: both of its corners are the same", e.index);
         for (int side = 0; side < 2; ++side)
             if (const Corner c = mesh_.corner(e, side); !mesh_.is_alive(c) || mesh_.edge(c) != e)
                 return fmt::format("edge {}: corner {} is not one of its own", e.index, c.index);
@@ -71,15 +72,36 @@ public:
         Corner c = first;
         do {
             if (mesh_.vertex(c) != v) return fmt::format("vertex {}: its rotation passes through corner {} of vertex {}", v.index, c.index, mesh_.vertex(c).index);
-            if (!mesh_.edge(c).valid() || ++steps > mesh_.corner_limit()) return fmt::format("vertex {}: its rotation does not close", v.index);
-            c = mesh_.rotate(c);
+            // Corners elsewhere may not have been checked, so nothing is followed blindly.
+            const Corner into = mesh_.previous(c);
+            if (!mesh_.is_alive(into) || !mesh_.is_alive(mesh_.edge(into)) || ++steps > mesh_.corner_limit())
+                return fmt::format("vertex {}: its rotation does not close", v.index);
+            c = mesh_.opposite(into);
+            if (!mesh_.is_alive(c)) return fmt::format("vertex {}: its rotation does not close", v.index);
         } while (c != first);
         visited += steps;
         return {};
     }
 
+    /// What is not alive is listed to be used again, so that counts are right.
+    std::string holes() const
+    {
+        const auto compare = [](const char* kind, const auto& column, const auto& alive, std::size_t listed) -> std::string {
+            std::size_t dead = 0;
+            for (std::uint32_t i = 0; i < column.size(); ++i) dead += alive(column[i]) ? 0 : 1;
+            return dead == listed ? std::string() : fmt::format("{}: {} not alive, but {} holes", kind, dead, listed);
+        };
+        const auto valid = [](auto h) { return h.valid(); };
+        if (std::string broken = compare("vertices", mesh_.vertex_corner_, valid, mesh_.free_vertices_.size()); !broken.empty()) return broken;
+        const auto has_corner = [](const auto& pair) { return pair[0].valid(); };
+        if (std::string broken = compare("edges", mesh_.edge_corners_, has_corner, mesh_.free_edges_.size()); !broken.empty()) return broken;
+        if (std::string broken = compare("faces", mesh_.face_corner_, valid, mesh_.free_faces_.size()); !broken.empty()) return broken;
+        return compare("corners", mesh_.corner_vertex_, valid, mesh_.free_corners_.size());
+    }
+
     std::string everything() const
     {
+        if (std::string broken = holes(); !broken.empty()) return broken;
         std::uint64_t corners = 0, in_faces = 0, in_vertices = 0;
         for (std::uint32_t i = 0; i < mesh_.corner_limit(); ++i)
             if (mesh_.is_alive(Corner(i))) {

@@ -10,7 +10,8 @@ namespace druse {
 ///
 /// Rules: next and previous are each other's inverse; every corner is in the cycle of one face; an edge has two different
 /// corners that run against each other; the corners of a vertex form one rotation; a corner without an edge is a point sphere;
-/// start corners and vertex corners point at their own; positions are finite; groups are not negative. Cost: O(mesh).
+/// start corners and vertex corners point at their own; positions are finite; groups are not negative; what is not alive is a hole.
+/// Cost: O(mesh).
 std::string check(const Mesh& mesh);
 
 /// The same rules for what changed since Mesh::begin_change(), as far as they can be seen from there. Cost: O(change) plus

@@ -186,6 +186,8 @@ std::uint32_t count_zero_thickness_walls(const Mesh& mesh)
     std::vector<std::pair<std::uint64_t, Face>> sums;
     sums.reserve(mesh.face_count());
     for (const Face f : mesh.faces()) {
+        const Corner first = mesh.corner(f);
+        if (mesh.next(mesh.next(first)) == first) continue; // one side or two: no wall
         std::uint64_t sum = 0;
         for (const Corner c : mesh.corners(f)) {
             std::uint64_t x = mesh.vertex(c).index + 0x9e3779b97f4a7c15ull; // splitmix64

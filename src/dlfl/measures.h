@@ -45,7 +45,9 @@ std::uint32_t boundary_edge_count(const Mesh& mesh);
 /// The facts of a mesh that `druse info` prints.
 struct MeshFacts {
     Counts counts;
-    std::uint32_t corners = 0, components = 0, boundary_edges = 0, point_spheres = 0, parallel_edges = 0, zero_thickness_walls = 0;
+    std::uint32_t corners = 0, components = 0, boundary_edges = 0, point_spheres = 0;
+    std::uint32_t parallel_edges = 0;       // beside another one with the same two ends
+    std::uint32_t zero_thickness_walls = 0; // pairs of faces upon each other: the same three vertices or more, in opposite rotation
     std::int64_t euler = 0, genus = 0;
     std::vector<std::int64_t> component_genus;
     double volume = 0, area = 0, max_nonplanarity = 0;

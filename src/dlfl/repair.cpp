@@ -226,9 +226,12 @@ void pair_fan(const Polygons& p, std::span<const Corner> sides, std::span<const 
     }
     for (std::size_t i = 1; i < fan.size(); ++i)
         if (fan[i].angle - fan[i - 1].angle < same) fan[i].angle = fan[i - 1].angle;
-    // There the side that closes a wedge comes before the one that opens the next.
+    // There the side that closes a wedge comes before the one that opens the next; of faces given twice the first is joined to
+    // others, at all of its edges.
     std::sort(fan.begin(), fan.end(), [](const Ray& a, const Ray& b) {
-        return std::tuple(a.angle, !a.up, a.side) < std::tuple(b.angle, !b.up, b.side);
+        if (a.angle != b.angle) return a.angle < b.angle;
+        if (a.up != b.up) return a.up;
+        return a.up ? a.side < b.side : b.side < a.side;
     });
     std::vector<Corner> waiting; // sides that run down, not joined yet
     for (int round = 0; round < 2; ++round)

@@ -292,7 +292,7 @@ Mesh cube_with_parallel_edges()
 Mesh cube_with_edge_handle()
 {
     Mesh mesh = cube();
-    mesh.insert_edge(mesh.corner(Face(0)), mesh.corner(Face(5)));
+    mesh.insert_edge(mesh.corner(Face(0)), mesh.corner(Face(5), 2)); // along a space diagonal
     mesh.compact();
     return mesh;
 }
