@@ -1,0 +1,311 @@
+#pragma once
+
+#include "dlfl/errors.h"
+#include "dlfl/mesh_tables.h"
+#include "geom/progress.h"
+#include "ops/registry.h"
+#include "ops/remesh_old_mesh.h"
+#include "ops/remesh_scheme.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace druse {
+
+/// Group ids of the new faces: those of the scheme, those of the old faces, or 0.
+enum class RemeshGroups { absolute, keep, none };
+
+namespace remesh {
+
+/// Where a kernel writes the positions of the new vertices, by what they belong to; null where the scheme makes none of a kind.
+struct NewPoints {
+    Point* old_vertex = nullptr;   // by vertex
+    Point* edge_point = nullptr;   // by edge
+    Point* side_point = nullptr;   // by side: OldMesh::side(c)
+    Point* face_point = nullptr;   // by face
+    Point* corner_point = nullptr; // by corner
+    Point* outer_point = nullptr;  // by corner
+};
+
+template <Way way, std::size_t... I>
+std::uint32_t walk(const OldMesh& old, std::uint32_t c, std::index_sequence<I...>)
+{
+    ((c = old.take<way.steps[I]>(c)), ...);
+    return c;
+}
+
+/// Builds what a scheme makes of a mesh: all connectivity, numbering and groups, in one pass over the old corners. Ids and
+/// references are sums of counts that the old corners know; nothing is searched.
+///
+/// New vertices: kept old ones, then those on edges, then those in faces (by face, then by corner). New faces: those from old faces (by
+/// face, then by corner), then from edges, then from vertices. Edges: as the faces first use them.
+template <const Scheme& scheme>
+class Builder {
+    static constexpr Links links = find_links(scheme);
+    static_assert(links.complete, "a scheme each side of which meets one other");
+
+    // Sizes for each old corner, and whether (1) a face, edge or vertex has a polygon of its own.
+    static constexpr std::uint32_t face_part = polygon_of(scheme, face_layout).size, face_polygon = face_part > 0;
+    static constexpr std::uint32_t at_corner = size_of(scheme, corner_layout, edge_layout);
+    static constexpr std::uint32_t corner_polygons = count_of(scheme, corner_layout, edge_layout);
+    static constexpr std::uint32_t edge_part = polygon_of(scheme, edge_layout).size, edge_polygon = edge_part > 0;
+    static constexpr std::uint32_t at_side = size_of(scheme, side_layout, vertex_layout);
+    static constexpr std::uint32_t side_polygons = count_of(scheme, side_layout, vertex_layout);
+    static constexpr std::uint32_t vertex_part = polygon_of(scheme, vertex_layout).size;
+    static_assert(edge_part == 0 || at_side == 0, "either one polygon over each edge or some at each of its sides");
+
+public:
+    static constexpr int least_valence = vertex_part > 0 ? 3 : 2;
+
+    Builder(OldMesh& old, RemeshGroups groups, Progress& progress)
+        : old_(old), groups_(groups), progress_(progress), corners_(old.corners()), edge_corners_((face_part + at_corner) * corners_),
+          vertex_corners_(edge_corners_ + (edge_part + at_side) * corners_), edge_faces_(face_polygon * old.faces() + corner_polygons * corners_),
+          vertex_faces_(edge_faces_ + edge_polygon * old.edges() + side_polygons * corners_), tables_(counted(), std::uint64_t(growth(scheme)) * corners_ / 2,
+              vertex_faces_ + (vertex_part > 0 ? old.vertices() : 0), std::uint64_t(growth(scheme)) * corners_)
+    {
+    }
+
+    NewPoints points() const
+    {
+        const auto at = [this](Kind kind) { return makes(scheme, kind) ? tables_.position + first_vertex_[std::size_t(kind)] : nullptr; };
+        return {at(Kind::old_vertex), at(Kind::edge_point), at(Kind::side_point), at(Kind::face_point), at(Kind::corner_point), at(Kind::outer_point)};
+    }
+
+    /// Everything but the positions.
+    void connect()
+    {
+        if constexpr (vertex_part > 0) old_.order_around();
+        std::fill_n(tables_.vertex_corner, vertices_, Corner());
+        const std::uint32_t all = growth(scheme) * corners_;
+        auto report = [&, reported = std::uint32_t(0)](std::uint32_t done) mutable {
+            if (done - reported < (1u << 17)) return;
+            reported = done;
+            progress_.step(double(done) / all);
+        };
+        for (std::uint32_t f = 0; f < old_.faces(); ++f) {
+            report((face_part + at_corner) * old_.begin(f));
+            const std::uint32_t begin = old_.begin(f), end = old_.end(f), group = old_group(f);
+            for (std::uint32_t c = begin; c < end && face_part > 0; ++c) write_part<face_layout>(c, c == begin, group);
+            for (std::uint32_t c = begin; c < end; ++c) {
+                write_polygon<corner_layout>(c, group);
+                write_polygon<corner_layout + 1>(c, group);
+                write_polygon<corner_layout + 2>(c, group);
+            }
+        }
+        if constexpr (edge_part + at_side > 0)
+            for (std::uint32_t side = 0; side < corners_; side += 2) {
+                report(edge_corners_ + (edge_part + at_side) * side);
+                const std::uint32_t a = old_.corner_of_side(side), b = old_.corner_of_side(side + 1);
+                const std::uint32_t group = old_group(std::min(old_.face(a), old_.face(b)));
+                for (const std::uint32_t c : {a, b}) {
+                    write_part<edge_layout>(c, c == a, group);
+                    write_polygon<side_layout>(c, group);
+                    write_polygon<side_layout + 1>(c, group);
+                }
+            }
+        if constexpr (vertex_part > 0)
+            for (std::uint32_t at = 0, v = 0; v < old_.vertices(); ++v) {
+                report(vertex_corners_ + vertex_part * at);
+                std::uint32_t face = old_.face(old_.corner_around(at));
+                const std::uint32_t end = at + old_.valence(v);
+                if (groups_ == RemeshGroups::keep)
+                    for (std::uint32_t i = at; i < end; ++i) face = std::min(face, old_.face(old_.corner_around(i)));
+                for (const std::uint32_t begin = at; at < end; ++at) write_part<vertex_layout>(old_.corner_around(at), at == begin, old_group(face));
+            }
+    }
+
+    Mesh take() { return tables_.take(); }
+
+private:
+    /// Numbers the kinds of new vertices one after the other, and counts them.
+    std::uint64_t counted()
+    {
+        const std::uint32_t counts[kinds] = {old_.vertices(), old_.edges(), corners_, old_.faces(), corners_, corners_};
+        std::uint64_t count = 0;
+        for (std::size_t kind = 0; kind < kinds; ++kind) {
+            first_vertex_[kind] = static_cast<std::uint32_t>(count);
+            if (makes(scheme, Kind(kind))) count += counts[kind];
+        }
+        vertices_ = static_cast<std::uint32_t>(count);
+        return count;
+    }
+
+    std::uint32_t old_group(std::uint32_t face) const
+    {
+        return groups_ == RemeshGroups::keep ? static_cast<std::uint32_t>(old_.group(face)) : 0;
+    }
+
+    template <Way way>
+    std::uint32_t walk_from(std::uint32_t c) const
+    {
+        return walk<way>(old_, c, std::make_index_sequence<way.size>());
+    }
+
+    template <std::size_t layout, std::size_t place>
+    std::uint32_t vertex_of(std::uint32_t c) const
+    {
+        constexpr Name name = polygon_of(scheme, layout).names[place];
+        const std::uint32_t there = walk_from<name.way>(c), first = first_vertex_[std::size_t(name.kind)];
+        switch (name.kind) {
+        case Kind::old_vertex: return first + old_.vertex(there);
+        case Kind::edge_point: return first + old_.edge(there);
+        case Kind::side_point: return first + old_.side(there);
+        case Kind::face_point: return first + old_.face(there);
+        default: return first + there;
+        }
+    }
+
+    /// The number of a new corner, and of its face.
+    template <std::size_t layout>
+    std::uint32_t corner_at(std::uint32_t c, std::uint32_t place) const
+    {
+        if constexpr (layout == face_layout) return at_corner * old_.begin(old_.face(c)) + face_part * c + place;
+        else if constexpr (layout < edge_layout) {
+            const std::uint32_t inside = face_part > 0 ? face_part * old_.end(old_.face(c)) : 0;
+            return inside + at_corner * c + static_cast<std::uint32_t>(size_of(scheme, corner_layout, layout)) + place;
+        } else if constexpr (layout == edge_layout) return edge_corners_ + edge_part * old_.side(c) + place;
+        else if constexpr (layout < vertex_layout)
+            return edge_corners_ + at_side * old_.side(c) + static_cast<std::uint32_t>(size_of(scheme, side_layout, layout)) + place;
+        else return vertex_corners_ + vertex_part * old_.place_around(c) + place;
+    }
+    template <std::size_t layout>
+    std::uint32_t face_of(std::uint32_t c) const
+    {
+        if constexpr (layout == face_layout) return old_.face(c) + corner_polygons * old_.begin(old_.face(c));
+        else if constexpr (layout < edge_layout)
+            return (face_polygon > 0 ? old_.face(c) + 1 : 0) + corner_polygons * c + static_cast<std::uint32_t>(count_of(scheme, corner_layout, layout));
+        else if constexpr (layout == edge_layout) return edge_faces_ + old_.edge(c);
+        else if constexpr (layout < vertex_layout)
+            return edge_faces_ + side_polygons * old_.side(c) + static_cast<std::uint32_t>(count_of(scheme, side_layout, layout));
+        else return vertex_faces_ + old_.vertex(c);
+    }
+
+    /// Writes one new corner: its vertex, and its edge if it is the first to use it.
+    template <std::size_t layout, std::size_t place>
+    void write_corner(std::uint32_t c, std::uint32_t made, Face face)
+    {
+        constexpr Link link = links.of[layout][place];
+        const std::uint32_t v = vertex_of<layout, place>(c);
+        const std::uint32_t other = corner_at<link.layout>(walk_from<link.way>(c), static_cast<std::uint32_t>(link.place));
+        tables_.vertex[made] = Vertex(v);
+        tables_.face[made] = face;
+        if (!tables_.vertex_corner[v].valid()) tables_.vertex_corner[v] = Corner(made);
+        if (other < made) {
+            tables_.edge[made] = tables_.edge[other];
+        } else {
+            tables_.edge_corners[edges_] = {Corner(made), Corner(other)};
+            tables_.edge[made] = Edge(edges_++);
+        }
+    }
+
+    void write_face(Face face, std::uint32_t start, int own_group, std::uint32_t kept_group)
+    {
+        tables_.start[face.index] = Corner(start);
+        tables_.group[face.index] = groups_ == RemeshGroups::absolute ? own_group : static_cast<std::int32_t>(kept_group);
+    }
+
+    /// A polygon that one old corner has to itself.
+    template <std::size_t layout>
+    void write_polygon(std::uint32_t c, std::uint32_t kept_group)
+    {
+        constexpr std::uint32_t size = polygon_of(scheme, layout).size;
+        if constexpr (size > 0) {
+            const Face face(face_of<layout>(c));
+            const std::uint32_t first = corner_at<layout>(c, 0);
+            write_face(face, first, polygon_of(scheme, layout).group, kept_group);
+            [&]<std::size_t... I>(std::index_sequence<I...>) {
+                (write_corner<layout, I>(c, first + std::uint32_t(I), face), ...);
+                ((tables_.next[first + I] = Corner(first + (I + 1 < size ? std::uint32_t(I) + 1 : 0))), ...);
+                ((tables_.previous[first + I] = Corner(first + (I > 0 ? std::uint32_t(I) : size) - 1)), ...);
+            }(std::make_index_sequence<size>());
+        }
+    }
+
+    /// What one old corner adds to a polygon of several.
+    template <std::size_t layout>
+    void write_part(std::uint32_t c, bool is_first, std::uint32_t kept_group)
+    {
+        constexpr std::uint32_t size = polygon_of(scheme, layout).size;
+        if constexpr (size > 0) {
+            const Face face(face_of<layout>(c));
+            const std::uint32_t first = corner_at<layout>(c, 0), after = corner_at<layout>(walk_from<next_part(layout)>(c), 0);
+            if (is_first) write_face(face, first, polygon_of(scheme, layout).group, kept_group);
+            [&]<std::size_t... I>(std::index_sequence<I...>) {
+                (write_corner<layout, I>(c, first + std::uint32_t(I), face), ...);
+                ((tables_.next[first + I] = Corner(I + 1 < size ? first + std::uint32_t(I) + 1 : after)), ...);
+            }(std::make_index_sequence<size>());
+            for (std::uint32_t i = 1; i < size; ++i) tables_.previous[first + i] = Corner(first + i - 1);
+            tables_.previous[after] = Corner(first + size - 1);
+        }
+    }
+
+    OldMesh& old_;
+    RemeshGroups groups_;
+    Progress& progress_;
+    std::uint32_t corners_;
+    std::uint32_t edge_corners_, vertex_corners_; // the first corner that comes from an edge, from a vertex
+    std::uint32_t edge_faces_, vertex_faces_;     // and the first face
+    std::uint32_t first_vertex_[kinds], vertices_ = 0, edges_ = 0;
+    MeshTables tables_;
+};
+
+/// @throws CommandError `would make N edges` if N, after `iterations` steps of that growth, is more than 20 million
+void refuse_too_large(std::uint32_t edges, std::size_t growth, int iterations);
+
+/// One step of a kernel: `static constexpr Scheme scheme`, and `void place(const OldMesh&, const NewPoints&, Progress&) const`,
+/// which writes the positions.
+template <class Kernel>
+Mesh apply_once(const Mesh& mesh, const Kernel& kernel, RemeshGroups groups, Progress& progress)
+{
+    using KernelBuilder = Builder<Kernel::scheme>;
+    OldMesh old(mesh, KernelBuilder::least_valence);
+    KernelBuilder builder(old, groups, progress);
+    builder.connect();
+    kernel.place(old, builder.points(), progress);
+    return builder.take();
+}
+
+} // namespace remesh
+
+/// Remeshes a closed mesh `iterations` times. Genus, components and orientation stay.
+/// @throws CommandError for an open mesh, faces with fewer than 3 sides, valences that the scheme cannot use, or more than 20
+/// million edges
+template <class Kernel>
+Mesh remeshed(const Mesh& mesh, const Kernel& kernel, int iterations, RemeshGroups groups, Progress& progress)
+{
+    remesh::refuse_too_large(mesh.edge_count(), remesh::growth(Kernel::scheme), iterations);
+    Mesh result = remesh::apply_once(mesh, kernel, groups, progress);
+    for (int i = 1; i < iterations; ++i) result = remesh::apply_once(result, kernel, groups, progress);
+    return result;
+}
+
+/// The parameters of a remeshing operator: its kernel's own, and what all of them share.
+template <class Kernel>
+struct Remeshing : Kernel {
+    int iterations = 1;
+    RemeshGroups groups = RemeshGroups::absolute;
+};
+
+template <class Kernel>
+Definition<Remeshing<Kernel>> define_remeshing(std::string name, std::string help)
+{
+    return define<Remeshing<Kernel>>(std::move(name), std::move(help));
+}
+
+/// Ends a registration begun with define_remeshing: the parameters that all of them share, and what runs.
+template <class Kernel>
+Operator complete(Definition<Remeshing<Kernel>>& definition)
+{
+    using P = Remeshing<Kernel>;
+    definition.param(&P::iterations, "iterations", Unit::count, {1, 20}, "how often")
+        .param(&P::groups, "groups", words({"absolute", "keep", "none"}), "group ids: by where a new face comes from, of the old faces, or none")
+        .keeps_euler()
+        .run([](Scene& scene, const P& p, Context& context) {
+            scene.mesh.replace_with(remeshed<Kernel>(scene.mesh, p, p.iterations, p.groups, context.progress));
+            scene.selection.edit() = Selection();
+        });
+    return definition;
+}
+
+} // namespace druse

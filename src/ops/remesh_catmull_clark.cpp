@@ -1,0 +1,42 @@
+#include "ops/remesh_catmull_clark.h"
+
+#include "ops/remesh.h"
+#include "ops/remesh_means.h"
+
+namespace druse {
+
+void CatmullClark::place(const remesh::OldMesh& old, const remesh::NewPoints& to, Progress& progress) const
+{
+    const std::span<const Point> from = old.positions();
+    remesh::write_face_means(old, to.face_point, progress);
+    for (std::uint32_t e = 0; e < old.edges(); ++e) {
+        const std::uint32_t a = old.corner_of_side(2 * e), b = old.corner_of_side(2 * e + 1);
+        const Point ends = from[old.vertex(a)] + from[old.vertex(b)];
+        to.edge_point[e] = smooth ? 0.25 * (ends + (to.face_point[old.face(a)] + to.face_point[old.face(b)])) : 0.5 * ends;
+    }
+    progress.step(0.9);
+    if (!smooth) {
+        std::copy(from.begin(), from.end(), to.old_vertex);
+        return;
+    }
+    // m²·(Q + 2R)/m is the sum, over the corners, of the face point and both ends of the side that starts there.
+    std::fill_n(to.old_vertex, old.vertices(), Point(0.0));
+    for (std::uint32_t f = 0; f < old.faces(); ++f)
+        for (std::uint32_t c = old.begin(f); c < old.end(f); ++c)
+            to.old_vertex[old.vertex(c)] += to.face_point[f] + old.position(old.on(c)) + old.position(c);
+    for (std::uint32_t v = 0; v < old.vertices(); ++v) {
+        const double m = old.valence(v);
+        to.old_vertex[v] = to.old_vertex[v] / (m * m) + ((m - 3.0) / m) * from[v];
+    }
+}
+
+Operator remesh_catmull_clark_operator()
+{
+    auto definition = define_remeshing<CatmullClark>("remesh.catmull_clark", "Make a quad in each corner, and smooth");
+    definition.param(&CatmullClark::smooth, "smooth", "move the old vertices and edge points; otherwise edges are halved")
+        .example("remesh.catmull_clark iterations=2")
+        .cites("Catmull & Clark 1978");
+    return complete(definition);
+}
+
+} // namespace druse

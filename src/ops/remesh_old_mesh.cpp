@@ -1,0 +1,161 @@
+#include "ops/remesh_old_mesh.h"
+
+#include "dlfl/errors.h"
+#include "dlfl/measures.h"
+#include "dlfl/mesh_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace druse::remesh {
+
+namespace {
+
+template <class T>
+T* room(Column<T>& column, std::uint32_t count)
+{
+    column.reserve(count);
+    return column.extend(count);
+}
+
+/// True if the corners come face after face, each face from its start corner.
+bool in_face_order(const MeshTables::View& view)
+{
+    const auto count = static_cast<std::uint32_t>(view.next.size());
+    std::uint32_t c = 0;
+    for (const Corner start : view.start) {
+        if (start.index != c) return false;
+        while (view.next[c].index == c + 1) ++c;
+        if (view.next[c] != start) return false;
+        ++c;
+    }
+    return c == count;
+}
+
+} // namespace
+
+OldMesh::OldMesh(const Mesh& mesh, int least_valence) : mesh_(mesh)
+{
+    if (mesh.boundary_count() > 0) throw CommandError(fmt::format("the model is open: {} boundary edges", boundary_edge_count(mesh)));
+    ASSERT(!mesh.has_holes(), "no holes in a mesh to remesh");
+    if (in_face_order(MeshTables::view(mesh))) read_in_order();
+    else renumber();
+
+    std::uint32_t* const valence = room(valence_, vertices());
+    std::fill_n(valence, vertices(), 0);
+    for (std::uint32_t c = 0; c < corners(); ++c) ++valence[vertex(c)];
+    for (std::uint32_t v = 0; v < vertices(); ++v)
+        if (valence[v] < static_cast<std::uint32_t>(least_valence))
+            throw CommandError(fmt::format("vertex {} has valence {}", v, mesh.valence(Vertex(v)))); // 0 on a point sphere, which has a corner
+    for (std::uint32_t f = 0; f < faces(); ++f)
+        if (const std::uint32_t n = end(f) - begin(f); n < 3) throw CommandError(fmt::format("face {} has {} side{}", f, n, n == 1 ? "" : "s"));
+
+    // Every formula is a mean with weights of moderate size; with such coordinates no sum can overflow.
+    constexpr double most = 1e290;
+    for (const Point& p : mesh.positions())
+        if (std::abs(p.x) > most || std::abs(p.y) > most || std::abs(p.z) > most) throw CommandError("coordinates beyond 1e290 are too large");
+}
+
+void OldMesh::read_in_order()
+{
+    const MeshTables::View view = MeshTables::view(mesh_);
+    vertex_ = view.vertex;
+    face_ = view.face;
+    next_ = view.next;
+    previous_ = view.previous;
+    corner_of_side_ = view.edge_corners;
+    std::uint32_t* const begin = room(begin_, faces() + 1);
+    for (std::uint32_t f = 0; f < faces(); ++f) begin[f] = view.start[f].index;
+    begin[faces()] = corners();
+
+    std::uint32_t* const across = room(across_, corners());
+    std::uint32_t* const side = room(side_, corners());
+    for (std::uint32_t c = 0; c < corners(); ++c) {
+        const std::uint32_t e = view.edge[c].index;
+        if (e == Edge::none) { // a point sphere: refused when valences are looked at
+            across[c] = side[c] = 0;
+            continue;
+        }
+        const auto [a, b] = view.edge_corners[e];
+        const bool second = b.index == c;
+        across[c] = second ? a.index : b.index;
+        side[c] = 2 * e + second;
+    }
+}
+
+void OldMesh::renumber()
+{
+    const MeshTables::View view = MeshTables::view(mesh_);
+    Column<std::uint32_t> number;
+    std::uint32_t* const number_of = room(number, corners());
+    std::uint32_t* const begin = room(begin_, faces() + 1);
+    Vertex* const vertex = room(own_vertex_, corners());
+    Face* const face = room(own_face_, corners());
+    Corner* const next = room(own_next_, corners());
+    Corner* const previous = room(own_previous_, corners());
+    std::uint32_t at = 0;
+    for (std::uint32_t f = 0; f < faces(); ++f) {
+        begin[f] = at;
+        Corner c = view.start[f];
+        do {
+            number_of[c.index] = at;
+            vertex[at] = view.vertex[c.index];
+            face[at] = Face(f);
+            next[at] = Corner(at + 1);
+            previous[at] = Corner(at - 1);
+            ++at;
+            c = view.next[c.index];
+        } while (c != view.start[f]);
+        next[at - 1] = Corner(begin[f]);
+        previous[begin[f]] = Corner(at - 1);
+    }
+    begin[faces()] = at;
+
+    std::uint32_t* const across = room(across_, corners());
+    std::uint32_t* const side = room(side_, corners());
+    std::fill_n(across, corners(), 0);
+    std::fill_n(side, corners(), 0);
+    std::array<Corner, 2>* const corner_of_side = room(own_corner_of_side_, edges());
+    for (std::uint32_t e = 0; e < edges(); ++e) {
+        const std::uint32_t a = number_of[view.edge_corners[e][0].index], b = number_of[view.edge_corners[e][1].index];
+        corner_of_side[e] = {Corner(a), Corner(b)};
+        across[a] = b;
+        across[b] = a;
+        side[a] = 2 * e;
+        side[b] = 2 * e + 1;
+    }
+    vertex_ = own_vertex_.view();
+    face_ = own_face_.view();
+    next_ = own_next_.view();
+    previous_ = own_previous_.view();
+    corner_of_side_ = own_corner_of_side_.view();
+}
+
+void OldMesh::order_around()
+{
+    std::uint32_t* const place = room(place_around_, corners());
+    std::uint32_t* const order = room(corner_around_, corners());
+    Column<std::uint32_t> firsts;
+    std::uint32_t* const first = room(firsts, vertices());
+    for (std::uint32_t c = corners(); c > 0; --c) first[vertex(c - 1)] = c - 1;
+    std::uint32_t at = 0;
+    for (std::uint32_t v = 0; v < vertices(); ++v) {
+        std::uint32_t start = first[v], c = start;
+        do {
+            // Of several edges to the same neighbour the one with the lowest id counts.
+            const std::uint32_t there = vertex(on(c)), best = vertex(on(start));
+            if (there < best || (there == best && edge(c) < edge(start))) start = c;
+            c = around(c);
+        } while (c != first[v]);
+        c = start;
+        do {
+            place[c] = at;
+            order[at++] = c;
+            c = around(c);
+        } while (c != start);
+    }
+}
+
+} // namespace druse::remesh
