@@ -20,7 +20,7 @@ namespace {
 bool names_a_file(const Invocation& call)
 {
     for (std::size_t i = 0; i < call.given.size(); ++i)
-        if (call.given[i] && call.op->parameters[i].type == Parameter::Type::file) return true;
+        if (const Parameter& p = call.op->parameters[i]; call.given[i] && p.names_file(p.text(call.parameters.get()))) return true;
     return false;
 }
 
@@ -76,7 +76,6 @@ void append(Document::Outcome& all, Document::Outcome&& one)
 {
     std::move(one.notes.begin(), one.notes.end(), std::back_inserter(all.notes));
     if (!one.output.empty()) all.output += (all.output.empty() ? "" : "\n") + one.output;
-    all.failed = all.failed || one.failed;
 }
 
 } // namespace
@@ -114,7 +113,7 @@ Document::Outcome Document::apply_again(std::string_view text, Progress& progres
 
 Document::Outcome Document::run(const Invocation& call, Progress& progress, const fs::path& folder)
 {
-    Context context{progress, folder, scripts_, {}, {}};
+    Context context{progress, folder, scripts_, {}, {}, false, [&folder](const fs::path& file) { return read_model(folder / file).mesh; }};
     try {
         switch (call.op->kind) {
         case Operator::Kind::edit: edit(call, context); break;
@@ -124,7 +123,8 @@ Document::Outcome Document::run(const Invocation& call, Progress& progress, cons
     } catch (const CommandError& e) {
         throw CommandError(fmt::format("{}: {}", call.op->name, e.what()));
     }
-    return {call.text(), std::move(context.notes), std::move(context.output), context.failed};
+    return {call.text(), std::move(context.notes), std::move(context.output), context.failed,
+            context.failed ? call.op->name + ": found something wrong, and strict=true" : ""};
 }
 
 void Document::edit(const Invocation& call, Context& context)
@@ -229,11 +229,12 @@ Document::Outcome Document::open(const fs::path& file, ScriptCommand command, Pr
         fresh.history_.set_budget(history_.budget());
         fresh.scripts_ = scripts_;
         outcome = fresh.run(Script::read(file), progress);
+        outcome.text = command.text;
+        if (outcome.failed) return outcome;
         scene_ = std::move(fresh.scene_);
         history_ = std::move(fresh.history_);
         without_file_ = fresh.without_file_;
         ++version_;
-        outcome.text = command.text;
     } else {
         Model model = read_model(file);
         progress.step(1.0);
@@ -280,7 +281,11 @@ Document::Outcome Document::run(const Script& script, Progress& progress)
         for (std::string_view rest = script.text; !rest.empty();) {
             line = next_line(rest);
             ++number;
-            append(all, apply(line, progress, script.folder));
+            Outcome outcome = apply(line, progress, script.folder);
+            all.failed = outcome.failed;
+            if (outcome.failed) all.failure = fmt::format("{}:{}: {}", script.name, number, outcome.failure);
+            append(all, std::move(outcome));
+            if (all.failed) break;
         }
     } catch (const CommandError& e) {
         scripts_.pop_back();
@@ -309,7 +314,7 @@ std::string Document::script(const fs::path& folder) const
         const Operator& op = registry_->get(command.name);
         for (auto& [key, value] : command.arguments) {
             const Parameter* p = op.find(key);
-            if (p && p->type == Parameter::Type::file) value = renamed(value, step.folder, folder);
+            if (p && p->names_file(value)) value = renamed(value, step.folder, folder);
         }
         text += bind(*registry_, command).text() + "\n";
     }

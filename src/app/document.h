@@ -29,7 +29,8 @@ public:
         std::string text;               // the command in canonical form
         std::vector<std::string> notes; // without `note:`
         std::string output;             // of a query: one JSON object
-        bool failed = false;            // of a query with strict=true
+        bool failed = false;            // a query with strict=true found something wrong
+        std::string failure;            // then: that, as an error line
     };
 
     /// Parses, validates, runs, compacts, checks and commits one command. An empty line or a comment does nothing.
@@ -46,14 +47,14 @@ public:
     Outcome apply_again(std::string_view command, Progress& progress, const std::filesystem::path& folder = {});
 
     /// Makes a file the beginning, as `druse apply IN` and File > Open do: step 0, which undo does not pass. A `.druse` file is
-    /// run as a script from an empty document. If anything is thrown the document is as it was.
+    /// run as a script from an empty document. If anything is thrown, or the outcome is `failed`, the document is as it was.
     Outcome open(const std::filesystem::path& file, Progress& progress);
 
     /// Makes a model that has no file the beginning. The history can then not be written as a script.
     Outcome open(Model model);
 
-    /// Runs the commands of a script one after the other. Each is a step of its own: those before an error stand.
-    /// @throws InputError `SCRIPT:LINE: OPERATOR: what is wrong`
+    /// Runs the commands of a script one after the other, up to a query that failed. Each is a step of its own: those before an
+    /// error stand. @throws InputError `SCRIPT:LINE: OPERATOR: what is wrong`
     Outcome run(const Script& script, Progress& progress);
 
     const Scene& scene() const { return scene_; }

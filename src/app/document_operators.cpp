@@ -43,9 +43,9 @@ void open_file(Scene& scene, const OpenFile& p, Context& context)
     Document inner(all_operators());
     inner.set_scripts(context.scripts);
     Document::Outcome outcome = inner.open(file, context.progress);
+    if (outcome.failed) throw CommandError(outcome.failure);
     context.notes = std::move(outcome.notes);
     context.output = std::move(outcome.output);
-    context.failed = outcome.failed;
     Scene made = std::move(inner).release();
     scene.mesh.replace_with(std::move(made.mesh));
     scene.groups = std::move(made.groups);

@@ -6,7 +6,15 @@ const Registry& all_operators()
 {
     static const Registry registry = [] {
         Registry r;
+        register_make(r);
+        register_face(r);
+        register_select(r);
+        register_group(r);
         register_extrude(r);
+        register_remesh(r);
+        register_topology(r);
+        register_mesh(r);
+        register_check(r);
         register_document(r);
         return r;
     }();

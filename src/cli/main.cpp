@@ -1,0 +1,65 @@
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "geom/progress.h"
+
+#include <csignal>
+#include <variant>
+
+namespace {
+
+druse::Progress progress;
+
+/// The first Ctrl+C asks the run to stop, so that nothing half made is left; a second one ends the program.
+void stop(int) { progress.cancel(); }
+
+void listen_for_interrupts()
+{
+    struct sigaction action {};
+    action.sa_handler = stop;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+}
+
+struct Perform {
+    int operator()(const druse::WindowRequest& request) const { return druse::window(request); }
+    int operator()(const druse::PrintRequest& request) const
+    {
+        druse::print(request.text);
+        return 0;
+    }
+    int operator()(const druse::OpsRequest& request) const
+    {
+        druse::ops(request);
+        return 0;
+    }
+    int operator()(const druse::ApplyRequest& request) const
+    {
+        listen_for_interrupts();
+        druse::apply(request, progress);
+        return 0;
+    }
+    int operator()(const druse::InfoRequest& request) const
+    {
+        listen_for_interrupts();
+        druse::info(request, progress);
+        return 0;
+    }
+    int operator()(const druse::RenderRequest& request) const
+    {
+        listen_for_interrupts();
+        druse::render(request, progress);
+        return 0;
+    }
+};
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return std::visit(Perform(), druse::parse_arguments(argc, argv));
+    } catch (...) {
+        return druse::report_exception();
+    }
+}
