@@ -33,7 +33,7 @@ std::optional<ViewAngles> view_from_text(std::string_view text);
 /// Everything is computed in double and in model coordinates; the renderer goes over to float last, relative to the model.
 class Camera {
 public:
-    static constexpr double field_of_view = 35.0; // degrees, over the shorter side of the picture
+    static constexpr double field_of_view = 30.0; // degrees, over the shorter side of the picture
 
     // --- where it is ----------------------------------------------------------------------------------------------------
 

@@ -21,6 +21,20 @@ std::uint64_t next_version()
     return ++last;
 }
 
+/// The middle of the box on a grid as coarse as the box: near enough for single precision, and the same for a model that changed
+/// a little. For a model about the origin it is the origin.
+Point origin_for(const Box& box)
+{
+    const double cell = box.empty() || box.diagonal() == 0 ? 1.0 : std::exp2(std::ceil(std::log2(box.diagonal())));
+    return glm::round(box.center() / cell) * cell;
+}
+
+template <class T> void sort_out(std::vector<T>& list)
+{
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
 std::uint32_t pack(Colour c)
 {
     return c.red | std::uint32_t(c.green) << 8 | std::uint32_t(c.blue) << 16;
@@ -61,8 +75,9 @@ private:
 
 void DrawLists::clear(const Box& box)
 {
-    origin_ = box.center();
+    origin_ = origin_for(box);
     live_triangles_ = 0;
+    edge_sum_ = 0;
     draw_vertices_.truncate(0);
     vertex_of_.truncate(0);
     next_copy_.truncate(0);
@@ -114,13 +129,12 @@ void DrawLists::build(const Mesh& mesh, const GroupColours& colours)
     for (const Vertex v : mesh.vertices())
         if (newest_[v.index] == none) copy_vertex(v.index); // ends of edges that bound no triangle
 
-    double sum = 0;
     for (const Edge e : mesh.edges()) {
         const auto [a, b] = mesh.ends(e);
         edge_ends_.set(e.index, {a.index, b.index});
-        sum += glm::distance(mesh.position(a), mesh.position(b));
+        edge_sum_ += length(e);
     }
-    mean_edge_ = mesh.edge_count() > 0 ? sum / mesh.edge_count() : 0.0;
+    mean_edge_ = mesh.edge_count() > 0 ? edge_sum_ / mesh.edge_count() : 0.0;
     edge_versions_.assign((std::size_t(mesh.edge_limit()) >> block_bits) + 1, version_);
     take_boundary(mesh);
 
@@ -138,12 +152,11 @@ void DrawLists::build(const Graph& graph)
         newest_.push_back(none);
         copy_vertex(positions_.size() - 1);
     }
-    double sum = 0;
     for (const auto& [a, b] : graph.edges) {
         edge_ends_.push_back({a, b});
-        sum += glm::distance(graph.vertices[a], graph.vertices[b]);
+        edge_sum_ += glm::distance(graph.vertices[a], graph.vertices[b]);
     }
-    mean_edge_ = graph.edges.empty() ? 0.0 : sum / double(graph.edges.size());
+    mean_edge_ = graph.edges.empty() ? 0.0 : edge_sum_ / double(graph.edges.size());
     edge_versions_.assign((graph.edges.size() >> block_bits) + 1, version_);
     bounds_ = box;
 }
@@ -165,6 +178,12 @@ void DrawLists::resize(const Mesh& mesh)
     fit(face_group_, mesh.face_limit(), std::int32_t(0));
     fit(face_selected_, mesh.face_limit(), std::uint8_t(0));
     fit(edge_ends_, mesh.edge_limit(), std::array{none, none});
+}
+
+double DrawLists::length(Edge e) const
+{
+    const auto& [a, b] = edge_ends_[e.index];
+    return a == none ? 0.0 : glm::distance(positions_[a], positions_[b]);
 }
 
 void DrawLists::take_boundary(const Mesh& mesh)
@@ -313,15 +332,22 @@ void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColo
     new_version();
     Palette palette(colours);
 
-    // The faces to put again: those that changed, and all around a vertex that moved.
+    // The faces and edges to put again: those that changed, and all around a vertex that moved.
     std::vector<Face> faces = delta.faces;
+    std::vector<Edge> edges = delta.edges;
     for (const Vertex v : delta.vertices) {
         if (!mesh.is_alive(v)) continue;
-        for (const Corner c : mesh.around(v))
+        for (const Corner c : mesh.around(v)) {
             if (!mesh.face(c).is_boundary()) faces.push_back(mesh.face(c));
+            if (mesh.edge(c).valid()) edges.push_back(mesh.edge(c));
+        }
     }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sort_out(faces);
+    for (std::uint32_t i = mesh.edge_limit(); i < edge_ends_.size(); ++i) edges.push_back(Edge(i));
+    for (std::uint32_t i = edge_ends_.size(); i < mesh.edge_limit(); ++i) edges.push_back(Edge(i));
+    sort_out(edges);
+    for (const Edge e : edges)
+        if (e.index < edge_ends_.size()) edge_sum_ -= length(e);
 
     std::vector<std::uint32_t> blocks;
     const auto note_blocks = [&](Face f) {
@@ -338,7 +364,6 @@ void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColo
         if (f.index < known_faces) remove(f);
     for (std::uint32_t i = mesh.face_limit(); i < known_faces; ++i) remove(Face(i));
 
-    const std::uint32_t known_edges = edge_ends_.size();
     resize(mesh);
     std::erase_if(selected_, [&](Face f) { return f.index >= mesh.face_limit(); });
 
@@ -372,15 +397,22 @@ void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColo
                 if (newest_[v] == none) copy_vertex(v);
         }
         edge_ends_.set(e.index, ends);
+        edge_sum_ += length(e);
         touch(edge_versions_, e.index);
     };
-    for (const Edge e : delta.edges)
+    for (const Edge e : edges)
         if (e.index < edge_ends_.size()) take_edge(e);
-    for (std::uint32_t i = known_edges; i < edge_ends_.size(); ++i) take_edge(Edge(i));
+    mean_edge_ = mesh.edge_count() > 0 ? edge_sum_ / mesh.edge_count() : 0.0;
     take_boundary(mesh);
 
     renew_boxes(blocks);
     renew_bounds();
+    // Where the model has moved far from what its single precision places are relative to, they are taken anew.
+    if (!bounds_.empty() && glm::distance(origin_, bounds_.center()) > 16 * bounds_.diagonal()) {
+        const std::vector<Face> selection = selected_;
+        build(mesh, colours);
+        select(selection);
+    }
 }
 
 void DrawLists::paint(Face f, Palette& palette)
@@ -440,8 +472,7 @@ void DrawLists::renew_box(std::uint32_t block)
 
 void DrawLists::renew_boxes(std::vector<std::uint32_t>& blocks)
 {
-    std::sort(blocks.begin(), blocks.end());
-    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    sort_out(blocks);
     for (const std::uint32_t block : blocks) renew_box(block);
 }
 

@@ -76,9 +76,9 @@ public:
 
     // --- what is in them ------------------------------------------------------------------------------------------------
 
-    const Point& origin() const { return origin_; }        // what places of draw vertices are relative to
-    const Box& bounds() const { return bounds_; }          // in model coordinates; empty if nothing is drawn
-    double mean_edge_length() const { return mean_edge_; } // when last built
+    const Point& origin() const { return origin_; } // what places of draw vertices are relative to
+    const Box& bounds() const { return bounds_; }   // in model coordinates; empty if nothing is drawn
+    double mean_edge_length() const { return mean_edge_; }
     bool has_faces() const { return live_triangles_ > 0; }
     bool is_closed() const { return boundary_sides_.empty(); } // no open boundary
     std::uint32_t triangle_count() const { return live_triangles_; }
@@ -136,6 +136,7 @@ private:
     std::uint32_t find_room(std::uint32_t count);
     void resize(const Mesh& mesh);
     void take_boundary(const Mesh& mesh);
+    double length(Edge e) const; // 0 if it is gone
     void paint(Face f, Palette& palette);
     void renew_boxes(std::vector<std::uint32_t>& blocks);
     void renew_box(std::uint32_t block);
@@ -150,7 +151,7 @@ private:
 
     Point origin_{0.0};
     Box bounds_;
-    double mean_edge_ = 0;
+    double edge_sum_ = 0, mean_edge_ = 0;
     std::uint32_t live_triangles_ = 0;
 
     Column<DrawVertex> draw_vertices_;

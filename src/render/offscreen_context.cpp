@@ -14,6 +14,8 @@ constexpr int osmesa_rgba = 0x1908, osmesa_format = 0x22, osmesa_depth_bits = 0x
 constexpr unsigned gl_unsigned_byte = 0x1401;
 constexpr int size = 16;
 
+thread_local bool has_context = false;
+
 } // namespace
 
 /// The functions of OSMesa. It is opened when first asked for, with its symbols kept apart from those of libGL, and stays open:
@@ -48,6 +50,7 @@ const OffscreenContext::Library& OffscreenContext::library()
 
 OffscreenContext::OffscreenContext() : pixels_(std::make_unique<unsigned char[]>(4 * size * size))
 {
+    ASSERT(!has_context, "a thread has one off-screen context at most");
     const int attributes[] = {osmesa_format,
                               osmesa_rgba,
                               osmesa_depth_bits,
@@ -65,12 +68,14 @@ OffscreenContext::OffscreenContext() : pixels_(std::make_unique<unsigned char[]>
         library().destroy(context_);
         throw SystemError("OSMesa does not make its context current");
     }
+    has_context = true;
 }
 
 OffscreenContext::~OffscreenContext()
 {
     library().make_current(nullptr, nullptr, gl_unsigned_byte, 0, 0);
     library().destroy(context_);
+    has_context = false;
 }
 
 GlProcLoader OffscreenContext::loader() const

@@ -10,8 +10,8 @@ namespace druse {
 ///
 /// It is current on the thread that made it, for as long as it lives, and must be destroyed there. **Never two contexts on one
 /// thread**: OSMesa and the libGL of a window share one slot for the current context, and drawing would go astray without an
-/// error. So a program with a window draws its pictures in the window's own context, and others give this one a thread of its
-/// own.
+/// error; a second context of this kind on the same thread fails an ASSERT. So a program with a window draws its pictures in the
+/// window's own context, and others give this one a thread of its own.
 class OffscreenContext {
 public:
     /// @throws SystemError if libOSMesa is not installed, or gives no such context

@@ -18,7 +18,7 @@ namespace druse {
 namespace {
 
 constexpr std::size_t most_outlined = 20000; // sides of faces that are drawn as thick lines; a larger selection is tinted only
-constexpr double edge_half_width = 0.6;      // in pixels
+constexpr double edge_half_width = 0.7;      // in pixels
 
 /// Variants of the face shader.
 enum Variant : unsigned { smooth = 1, edges = 2, both_sides = 4 };
@@ -213,7 +213,7 @@ const Program& Renderer::Parts::face_program(unsigned variant)
         if (variant & Variant::smooth) defines += "#define SMOOTH\n";
         if (variant & Variant::edges) defines += "#define EDGES\n";
         if (variant & Variant::both_sides) defines += "#define BOTH_SIDES\n";
-        program.emplace(gl, defines, faces_vertex_source, faces_fragment_source);
+        program.emplace(gl, defines + light_source, faces_vertex_source, faces_fragment_source);
     }
     return *program;
 }

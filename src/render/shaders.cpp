@@ -44,6 +44,15 @@ Program::Program(const GlApi& gl, const std::string& defines, const char* vertex
     }
 }
 
+// Light goes with the eye: a key light from above its left shoulder, a weak one from the right, and light from everywhere, so
+// that the three faces of a cube seen from a corner differ, and no face is black.
+const char* const light_source = R"glsl(
+float light(vec3 n)
+{
+    return 0.40 + 0.50 * max(dot(n, vec3(-0.45, 0.55, 0.70)), 0.0) + 0.13 * max(dot(n, vec3(0.65, -0.10, 0.75)), 0.0);
+}
+)glsl";
+
 // Faces. All that is the same over a triangle is worked out at its last vertex and handed on flat: light, colour, and for the
 // edges the lines in the picture that carry its three sides. A fragment only measures how far it is from those.
 //
@@ -76,10 +85,6 @@ vec3 side(vec3 a, vec3 b, uint flag)
     return (flags & flag) != 0u ? line * inversesqrt(dot(line.xy, line.xy) + 1e-30) : vec3(0.0, 0.0, 1e6);
 }
 #endif
-float light(vec3 n)
-{
-    return 0.36 + 0.50 * max(dot(n, vec3(-0.30, 0.52, 0.80)), 0.0) + 0.22 * max(dot(n, vec3(0.74, -0.12, 0.66)), 0.0);
-}
 void main()
 {
     vec4 clip = to_clip * vec4(position, 1.0);
@@ -115,10 +120,6 @@ flat in vec3 back;
 #endif
 #ifdef SMOOTH
 in vec3 bent;
-float light(vec3 n)
-{
-    return 0.36 + 0.50 * max(dot(n, vec3(-0.30, 0.52, 0.80)), 0.0) + 0.22 * max(dot(n, vec3(0.74, -0.12, 0.66)), 0.0);
-}
 #endif
 #ifdef EDGES
 flat in vec3 side0, side1, side2;
@@ -192,7 +193,7 @@ void main()
     bool at_end = (gl_VertexID & 1) != 0;
     vec2 corner = (at_end ? start + along + forward * reach : start - forward * reach) +
                   ((gl_VertexID & 2) != 0 ? 1.0 : -1.0) * reach * vec2(-forward.y, forward.x);
-    gl_Position = vec4(corner / half_size, at_end ? q.z - nearer / b.w : p.z - nearer / a.w, 1.0);
+    gl_Position = vec4(corner / half_size, max(at_end ? q.z - nearer / b.w : p.z - nearer / a.w, -1.0), 1.0);
 }
 )glsl";
 

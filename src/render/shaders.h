@@ -27,7 +27,8 @@ private:
 /// Where the vertex attributes of faces and lines are bound.
 enum Attribute : GLuint { at_position, at_normal, at_colour, at_flags, at_second, at_third, at_smooth };
 
-extern const char* const faces_vertex_source; // defines: SMOOTH, EDGES, BOTH_SIDES, FLAT_TINT
+extern const char* const light_source;        // goes before the sources of faces
+extern const char* const faces_vertex_source; // variants are defined by SMOOTH, EDGES and BOTH_SIDES
 extern const char* const faces_fragment_source;
 extern const char* const lines_vertex_source;
 extern const char* const lines_fragment_source;
