@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace druse {
 
 namespace {
@@ -32,12 +34,13 @@ private:
 void DlflWriter::put_corners(Face f)
 {
     const Vector normal = unit_normal(mesh_, f);
+    std::array<char, 96> text;
+    const char* const end = fmt::format_to(text.data(), " [{:.6f} {:.6f} {:.6f}] [0.000000 0.000000] \n", normal.x, normal.y, normal.z);
     for (const Corner c : mesh_.corners(f)) {
         number_[c.index] = corners_++;
-        char* const at = sink_.room(128);
-        char* const end = fmt::format_to(at, "fv {} [{:.6f} {:.6f} {:.6f}] [0.000000 0.000000] \n", mesh_.vertex(c).index, normal.x, normal.y,
-                                         normal.z);
-        sink_.use(static_cast<std::size_t>(end - at));
+        sink_.put("fv ");
+        sink_.put(std::uint64_t(mesh_.vertex(c).index));
+        sink_.put(std::string_view(text.data(), static_cast<std::size_t>(end - text.data())));
     }
 }
 

@@ -254,7 +254,7 @@ void ObjReader::read_block(const char* p, const char* const end)
     while (p < end) {
         ++line_;
         p = scan::skip_blanks(p, line_);
-        const bool keyword_of_one = scan::ends_word(*p) || scan::ends_word(p[1]);
+        const bool keyword_of_one = *p == '\n' || scan::ends_word(p[1]) || p[1] == '\\';
         switch (keyword_of_one ? *p : '?') {
         case 'v': p = vertex(p + 1); break;
         case 'f': p = face(p + 1); break;

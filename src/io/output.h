@@ -11,8 +11,8 @@
 namespace druse {
 
 struct WriteOptions {
-    std::string format; // an extension without its dot; empty: that of the target
-    bool ascii = false; // the readable variant of a binary format
+    std::string format{}; // an extension without its dot; empty: that of the target
+    bool ascii = false;   // the readable variant of a binary format
 };
 
 /// Files that appear together or not at all.
