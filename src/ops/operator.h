@@ -19,12 +19,12 @@ namespace druse {
 /// What an operator gets beside the scene and its parameters, and what it says.
 struct Context {
     Progress& progress;
-    std::filesystem::path folder;   // what file parameters are relative to
-    std::vector<std::filesystem::path> scripts; // being run, from the outermost in: none of them may be opened again
-    std::vector<std::string> notes; // one line each, without `note:`
-    std::string output;             // of a query: one JSON object
+    std::filesystem::path folder{}; // what file parameters are relative to
+    std::vector<std::filesystem::path> scripts{}; // being run, from the outermost in: none of them may be opened again
+    std::vector<std::string> notes{}; // one line each, without `note:`
+    std::string output{};           // of a query: one JSON object
     bool failed = false;            // of a query: something it looked for is wrong (exit 2 with strict=true)
-    std::function<Mesh(const std::filesystem::path&)> read_mesh; // reads a mesh file, `folder` and all. @throws InputError
+    std::function<Mesh(const std::filesystem::path&)> read_mesh{}; // reads a mesh file, `folder` and all. @throws InputError
 
     void note(std::string line) { notes.push_back(std::move(line)); }
 };
