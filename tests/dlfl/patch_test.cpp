@@ -209,6 +209,21 @@ TEST(ReplaceFace, TakesAFaceThatVisitsAVertexTwice)
         }
 }
 
+TEST(ReplaceFaces, GivesNewVerticesThePositionsWrittenForThemBefore)
+{
+    Mesh mesh = cube();
+    const Patch patch = connected(fan(4));
+    const std::span<Point> room = mesh.vertex_room(2);
+    EXPECT_EQ(mesh, cube()); // nothing has changed yet
+    room[0] = Point(1, 2, 3);
+    room[1] = Point(4, 5, 6);
+    const std::vector<Face> faces{Face(4), Face(1)};
+    mesh.replace_faces(faces, std::vector<const Patch*>(2, &patch));
+    EXPECT_EQ(mesh.position(Vertex(8)), Point(1, 2, 3));
+    EXPECT_EQ(mesh.position(Vertex(9)), Point(4, 5, 6));
+    EXPECT_SOUND(mesh);
+}
+
 TEST(ReplaceFace, TakesATwoSidedFace)
 {
     Mesh mesh = three_lunes();
