@@ -1,10 +1,10 @@
 #include "render/draw_lists.h"
 
+#include "render/palette.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <unordered_map>
-#include <utility>
 
 namespace druse {
 
@@ -29,17 +29,6 @@ Point origin_for(const Box& box)
     return glm::round(box.center() / cell) * cell;
 }
 
-template <class T> void sort_out(std::vector<T>& list)
-{
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
-std::uint32_t pack(Colour c)
-{
-    return c.red | std::uint32_t(c.green) << 8 | std::uint32_t(c.blue) << 16;
-}
-
 } // namespace
 
 std::uint32_t pack_normal(const Vector& n)
@@ -47,29 +36,6 @@ std::uint32_t pack_normal(const Vector& n)
     const auto field = [](double x) { return static_cast<std::uint32_t>(static_cast<int>(std::lrint(x * 511.0))) & 1023u; };
     return field(n.x) | field(n.y) << 10 | field(n.z) << 20;
 }
-
-/// Colours of groups, asked for once each.
-class DrawLists::Palette {
-public:
-    explicit Palette(const GroupColours& colours) : colours_(colours) {}
-
-    std::uint32_t operator()(int group)
-    {
-        if (group != last_group_) {
-            const auto [found, fresh] = packed_.try_emplace(group, 0u);
-            if (fresh) found->second = pack(colours_(group));
-            last_group_ = group;
-            last_ = found->second;
-        }
-        return last_;
-    }
-
-private:
-    const GroupColours& colours_;
-    std::unordered_map<int, std::uint32_t> packed_;
-    int last_group_ = -1;
-    std::uint32_t last_ = 0;
-};
 
 // --- building ---------------------------------------------------------------------------------------------------------------
 
@@ -311,152 +277,6 @@ void DrawLists::release(Face f)
     }
 }
 
-// --- following the mesh -----------------------------------------------------------------------------------------------------
-
-void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColours& colours)
-{
-    const std::uint32_t known_faces = face_triangles_.size();
-    const std::size_t dead = triangles_.size() - live_triangles_;
-    const bool crowded =
-        dead > live_triangles_ / 2 + slack || draw_vertices_.size() > 2 * (live_triangles_ + mesh.vertex_limit()) + slack;
-    const bool much =
-        delta.whole || delta.faces.size() + delta.vertices.size() > (mesh.face_limit() + mesh.vertex_limit()) / 4 + 64;
-    if (id_ == 0 || much || crowded || (live_triangles_ == 0 && mesh.face_count() > 0)) {
-        std::vector<Face> selection;
-        for (const Face f : selected_)
-            if (mesh.is_alive(f)) selection.push_back(f);
-        build(mesh, colours);
-        select(selection);
-        return;
-    }
-    new_version();
-    Palette palette(colours);
-
-    // The faces and edges to put again: those that changed, and all around a vertex that moved.
-    std::vector<Face> faces = delta.faces;
-    std::vector<Edge> edges = delta.edges;
-    for (const Vertex v : delta.vertices) {
-        if (!mesh.is_alive(v)) continue;
-        for (const Corner c : mesh.around(v)) {
-            if (!mesh.face(c).is_boundary()) faces.push_back(mesh.face(c));
-            if (mesh.edge(c).valid()) edges.push_back(mesh.edge(c));
-        }
-    }
-    sort_out(faces);
-    for (std::uint32_t i = mesh.edge_limit(); i < edge_ends_.size(); ++i) edges.push_back(Edge(i));
-    for (std::uint32_t i = edge_ends_.size(); i < mesh.edge_limit(); ++i) edges.push_back(Edge(i));
-    sort_out(edges);
-    for (const Edge e : edges)
-        if (e.index < edge_ends_.size()) edge_sum_ -= length(e);
-
-    std::vector<std::uint32_t> blocks;
-    const auto note_blocks = [&](Face f) {
-        const Range range = face_triangles_[f.index];
-        for (std::uint32_t i = range.first >> pick_bits; range.count > 0 && i <= (range.first + range.count - 1) >> pick_bits;
-             ++i)
-            blocks.push_back(i);
-    };
-    const auto remove = [&](Face f) {
-        note_blocks(f);
-        release(f);
-    };
-    for (const Face f : faces)
-        if (f.index < known_faces) remove(f);
-    for (std::uint32_t i = mesh.face_limit(); i < known_faces; ++i) remove(Face(i));
-
-    resize(mesh);
-    std::erase_if(selected_, [&](Face f) { return f.index >= mesh.face_limit(); });
-
-    for (const Vertex v : delta.vertices) {
-        if (v.index >= positions_.size()) continue;
-        positions_.set(v.index, mesh.position(v));
-        const Vector p = mesh.position(v) - origin_;
-        for (std::uint32_t copy = newest_[v.index]; copy != none; copy = next_copy_[copy]) {
-            DrawVertex& vertex = *draw_vertices_.write(copy, 1);
-            vertex.x = float(p.x), vertex.y = float(p.y), vertex.z = float(p.z);
-            touch(vertex_versions_, copy);
-        }
-    }
-    for (const Face f : faces) {
-        if (!mesh.is_alive(f)) continue;
-        face_group_.set(f.index, mesh.group(f));
-        put_triangles(mesh, f, palette, nullptr);
-        note_blocks(f);
-    }
-    for (const Face f : delta.regrouped) {
-        if (!mesh.is_alive(f)) continue;
-        face_group_.set(f.index, mesh.group(f));
-        paint(f, palette);
-    }
-
-    const auto take_edge = [&](Edge e) {
-        std::array<std::uint32_t, 2> ends{none, none};
-        if (mesh.is_alive(e)) {
-            ends = {mesh.ends(e)[0].index, mesh.ends(e)[1].index};
-            for (const std::uint32_t v : ends)
-                if (newest_[v] == none) copy_vertex(v);
-        }
-        edge_ends_.set(e.index, ends);
-        edge_sum_ += length(e);
-        touch(edge_versions_, e.index);
-    };
-    for (const Edge e : edges)
-        if (e.index < edge_ends_.size()) take_edge(e);
-    mean_edge_ = mesh.edge_count() > 0 ? edge_sum_ / mesh.edge_count() : 0.0;
-    take_boundary(mesh);
-
-    renew_boxes(blocks);
-    renew_bounds();
-    // Where the model has moved far from what its single precision places are relative to, they are taken anew.
-    if (!bounds_.empty() && glm::distance(origin_, bounds_.center()) > 16 * bounds_.diagonal()) {
-        const std::vector<Face> selection = selected_;
-        build(mesh, colours);
-        select(selection);
-    }
-}
-
-void DrawLists::paint(Face f, Palette& palette)
-{
-    const Range range = face_triangles_[f.index];
-    const std::uint32_t colour = palette(face_group_[f.index]) | (face_selected_[f.index] ? DrawVertex::selected_flag : 0u);
-    for (std::uint32_t t = range.first; t < range.first + range.count; ++t) {
-        const std::uint32_t last = triangles_[t][2];
-        DrawVertex& vertex = *draw_vertices_.write(last, 1);
-        vertex.look = (vertex.look & 0xff000000u & ~DrawVertex::selected_flag) | colour;
-        touch(vertex_versions_, last);
-    }
-}
-
-void DrawLists::recolour(const Mesh& mesh, const GroupColours& colours)
-{
-    new_version();
-    Palette palette(colours);
-    for (const Face f : mesh.faces()) {
-        if (f.index >= face_limit()) break;
-        face_group_.set(f.index, mesh.group(f));
-        paint(f, palette);
-    }
-}
-
-void DrawLists::select(std::span<const Face> faces)
-{
-    new_version();
-    const auto mark = [&](Face f, bool on) {
-        if (f.index >= face_limit()) return;
-        face_selected_.set(f.index, on ? 1 : 0);
-        const Range range = face_triangles_[f.index];
-        for (std::uint32_t t = range.first; t < range.first + range.count; ++t) {
-            const std::uint32_t last = triangles_[t][2];
-            std::uint32_t& look = draw_vertices_.write(last, 1)->look;
-            look = on ? look | DrawVertex::selected_flag : look & ~DrawVertex::selected_flag;
-            touch(vertex_versions_, last);
-        }
-    };
-    for (const Face f : selected_) mark(f, false);
-    for (const Face f : faces) mark(f, true);
-    selected_.assign(faces.begin(), faces.end());
-}
-
 // --- boxes and normals ------------------------------------------------------------------------------------------------------
 
 void DrawLists::renew_box(std::uint32_t block)
@@ -468,12 +288,6 @@ void DrawLists::renew_box(std::uint32_t block)
         if (triangle_face_[t] != none)
             for (std::size_t k = 0; k < 3; ++k) box.add(corner(t, k));
     pick_boxes_[block] = box;
-}
-
-void DrawLists::renew_boxes(std::vector<std::uint32_t>& blocks)
-{
-    sort_out(blocks);
-    for (const std::uint32_t block : blocks) renew_box(block);
 }
 
 void DrawLists::renew_bounds()

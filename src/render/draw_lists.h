@@ -29,6 +29,8 @@ struct DrawVertex {
     static constexpr std::uint32_t claimed_flag = 1u << 28; // a triangle ends here
 };
 
+class Palette;
+
 /// What the renderer and picking need of a mesh, in a copy of its own, so that the picture stays while the mesh changes.
 ///
 /// **Triangles.** A polygon has one normal and one colour, but shares its vertices with others. The picture of a large mesh is
@@ -124,8 +126,6 @@ public:
     std::span<const std::uint64_t> edge_versions() const { return edge_versions_; }
 
 private:
-    class Palette;
-
     void clear(const Box& box);
     void new_version();
     std::uint32_t copy_vertex(std::uint32_t v);
@@ -138,7 +138,6 @@ private:
     void take_boundary(const Mesh& mesh);
     double length(Edge e) const; // 0 if it is gone
     void paint(Face f, Palette& palette);
-    void renew_boxes(std::vector<std::uint32_t>& blocks);
     void renew_box(std::uint32_t block);
     void renew_bounds();
 

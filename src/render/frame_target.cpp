@@ -18,30 +18,32 @@ bool FrameTarget::resize(int width, int height, int samples)
     samples_ = std::min(samples, static_cast<int>(most));
 
     gl_.GenRenderbuffers(4, renderbuffers_);
-    const auto store = [&](GLuint renderbuffer, GLenum format, int count) {
-        gl_.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
-        gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, count, format, width, height);
-    };
-    store(renderbuffers_[0], GL_RGBA8, samples_);
-    store(renderbuffers_[1], GL_RGBA8, samples_);
-    store(renderbuffers_[2], GL_RGBA8, 0);
-    store(renderbuffers_[3], GL_DEPTH_COMPONENT24, samples_);
-    base_ = make_framebuffer(renderbuffers_[0]);
-    top_ = make_framebuffer(renderbuffers_[1]);
-    gl_.GenFramebuffers(1, &resolve_);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, resolve_);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffers_[2]);
+    store(colour_of_base, GL_RGBA8, samples_);
+    store(depth, GL_DEPTH_COMPONENT24, samples_);
+    base_ = make_framebuffer(colour_of_base);
+    if (samples_ > 0) {
+        store(colour_of_resolve, GL_RGBA8, 0);
+        gl_.GenFramebuffers(1, &resolve_);
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, resolve_);
+        gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffers_[colour_of_resolve]);
+    }
     drawn_ = base_;
     return true;
 }
 
-GLuint FrameTarget::make_framebuffer(GLuint colour)
+void FrameTarget::store(Part part, GLenum format, int samples)
+{
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, renderbuffers_[part]);
+    gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width_, height_);
+}
+
+GLuint FrameTarget::make_framebuffer(Part colour)
 {
     GLuint framebuffer = 0;
     gl_.GenFramebuffers(1, &framebuffer);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, renderbuffers_[3]);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffers_[colour]);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, renderbuffers_[depth]);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw SystemError("the graphics driver cannot make a picture of " + std::to_string(width_) + "x" +
                           std::to_string(height_) + " with " + std::to_string(samples_) + " samples");
@@ -68,6 +70,10 @@ void FrameTarget::draw_into_base()
 
 void FrameTarget::draw_into_top()
 {
+    if (top_ == 0) {
+        store(colour_of_top, GL_RGBA8, samples_);
+        top_ = make_framebuffer(colour_of_top);
+    }
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, base_);
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, top_);
     gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);

@@ -33,14 +33,17 @@ public:
     Image read(bool transparent);
 
 private:
+    enum Part { colour_of_base, colour_of_top, colour_of_resolve, depth };
+
     void release();
-    GLuint make_framebuffer(GLuint colour);
+    void store(Part part, GLenum format, int samples);
+    GLuint make_framebuffer(Part colour);
     GLuint resolved();
 
     const GlApi& gl_;
     int width_ = 0, height_ = 0, samples_ = 0, asked_samples_ = 0;
     GLuint base_ = 0, top_ = 0, resolve_ = 0, drawn_ = 0;
-    GLuint renderbuffers_[4] = {}; // colours of base, top and resolve; depth
+    GLuint renderbuffers_[4] = {}; // by Part; a top and a resolve get storage once they are needed
 };
 
 } // namespace druse

@@ -41,8 +41,8 @@ struct Renderer::Parts {
 
     void draw_base(const DrawLists& lists, const Camera& camera, const Style& style);
     void draw_background(const Style& style);
-    void draw_faces(const DrawLists& lists, const Camera& camera, const Style& style, unsigned variant, double strength);
-    void draw_lines(const Style& style, Colour colour, double opacity);
+    void draw_faces(const Camera& camera, const Style& style, unsigned variant, double strength);
+    void draw_lines(Colour colour, double opacity);
     void draw_overlay(const DrawLists& lists, const Camera& camera, const Style& style, const Overlay& overlay);
     const Program& face_program(unsigned variant);
     const Program& line_program();
@@ -64,7 +64,6 @@ struct Renderer::Parts {
     std::optional<Camera> shown_camera;
     Style shown_style;
     glm::mat4 to_clip{1.0f};
-    bool lost = false;
 };
 
 Renderer::Parts::Parts(const GlProcLoader& get) : gl(GlApi::load(get))
@@ -84,10 +83,6 @@ Renderer::Renderer(const GlProcLoader& get) : parts_(std::make_unique<Parts>(get
 
 Renderer::~Renderer()
 {
-    if (parts_->lost) {
-        parts_.release(); // a few hundred bytes that name objects of a context that is gone
-        return;
-    }
     parts_->gl.DeleteVertexArrays(1, &parts_->no_attributes);
 }
 
@@ -101,7 +96,14 @@ bool Renderer::is_software() const
 }
 void Renderer::forget_context()
 {
-    parts_->lost = true;
+    // The names of our objects mean nothing in the next context, or something else: destructors delete nothing from here on.
+    GlApi& gl = parts_->gl;
+    gl.DeleteProgram = [](GLuint) {};
+    const auto nothing = [](GLsizei, const GLuint*) {};
+    gl.DeleteBuffers = nothing;
+    gl.DeleteFramebuffers = nothing;
+    gl.DeleteRenderbuffers = nothing;
+    gl.DeleteVertexArrays = nothing;
 }
 void Renderer::finish()
 {
@@ -176,13 +178,13 @@ void Renderer::Parts::draw_base(const DrawLists& lists, const Camera& camera, co
         const bool push_back = strength > 0 && as_lines;
         if (push_back) gl.Enable(GL_POLYGON_OFFSET_FILL);
         gl.PolygonOffset(1.0f, 1.0f);
-        draw_faces(lists, camera, style, variant, strength);
+        draw_faces(camera, style, variant, strength);
         gl.Disable(GL_POLYGON_OFFSET_FILL);
-        if (push_back) draw_lines(style, style.edge, strength);
+        if (push_back) draw_lines(style.edge, strength);
     } else {
         // Nothing lies under the lines but the background: they are light on a dark one, and do not vanish however short.
         const Colour colour = is_bright(style) ? style.edge : Colour{0xc8, 0xcc, 0xd4};
-        draw_lines(style, colour, std::max(strength, 0.25));
+        draw_lines(colour, std::max(strength, 0.25));
     }
 }
 
@@ -224,7 +226,7 @@ const Program& Renderer::Parts::line_program()
     return *lines;
 }
 
-void Renderer::Parts::draw_faces(const DrawLists&, const Camera& camera, const Style& style, unsigned variant, double strength)
+void Renderer::Parts::draw_faces(const Camera& camera, const Style& style, unsigned variant, double strength)
 {
     const Program& program = face_program(variant);
     program.use();
@@ -260,7 +262,7 @@ void Renderer::Parts::draw_faces(const DrawLists&, const Camera& camera, const S
     mesh.draw_triangles();
 }
 
-void Renderer::Parts::draw_lines(const Style&, Colour colour, double opacity)
+void Renderer::Parts::draw_lines(Colour colour, double opacity)
 {
     const Program& program = line_program();
     program.use();
@@ -316,7 +318,7 @@ void Renderer::Parts::draw_overlay(const DrawLists& lists, const Camera& camera,
     }
 
     std::vector<ThickLine> seen, over;
-    if (lists.boundary_sides().size() <= most_outlined)
+    if ((style.edges || style.wireframe) && lists.boundary_sides().size() <= most_outlined)
         for (const auto& pair : lists.boundary_sides())
             if (alive(pair)) seen.push_back({lists.position(pair[0]), lists.position(pair[1]), style.boundary, 2 * scale, 1});
     outline(seen, lists.selected(), style.selected, 2);

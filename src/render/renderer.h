@@ -23,7 +23,7 @@ struct Style {
     };
 
     Shading shading = Shading::flat;
-    bool edges = true;        // the sides of polygons, never the diagonals of their triangles
+    bool edges = true;        // the sides of polygons, never the diagonals of their triangles; open boundaries in amber
     bool wireframe = false;   // edges only, all of them
     bool see_through = false; // faces let through what is behind them
     bool back_faces = false;  // of a closed surface; an open one always shows them

@@ -9,6 +9,8 @@ namespace druse {
 
 namespace {
 
+constexpr double most_samples = 134217728; // in a picture: 2^27, at 8 bytes each
+
 Image draw(const DrawLists& lists, const StillOptions& options)
 {
     Camera camera;
@@ -29,7 +31,10 @@ Image draw(const DrawLists& lists, const StillOptions& options)
         try {
             const OffscreenContext context;
             Renderer renderer(context.loader());
-            renderer.draw(lists, camera, style, {}, options.samples);
+            // A large picture does with one sample per pixel, or it would take gigabytes.
+            const double pixels = double(options.width) * options.height;
+            const int samples = pixels * options.samples <= most_samples ? options.samples : 0;
+            renderer.draw(lists, camera, style, {}, samples);
             image = renderer.read_image();
         } catch (...) {
             failure = std::current_exception();

@@ -18,7 +18,7 @@ struct StillOptions {
     bool groups = false;              // colours of groups; else all faces are of the colour of group 0
     bool transparent = false;         // no background
     std::optional<Colour> background; // one colour in place of the gradient
-    int samples = 4;
+    int samples = 4;                  // per pixel; one in pictures of more than 32 million pixels
 };
 
 /// A picture of the mesh, framed; drawn off screen, on a thread of its own, and the same to the byte whenever it is repeated.

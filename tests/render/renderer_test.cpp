@@ -394,6 +394,28 @@ TEST_F(RendererTest, ShowsItsPictureInAnotherFramebuffer)
     }
 }
 
+TEST_F(RendererTest, IsDestroyedInPeaceAfterItsContext)
+{
+    std::thread([] {
+        std::optional<Renderer> renderer;
+        {
+            const OffscreenContext context;
+            renderer.emplace(context.loader());
+            renderer->draw(DrawLists(cube(), vivid), Camera(), {}, {}, 0);
+            renderer->forget_context();
+        }
+        const OffscreenContext next;
+        Renderer other(next.loader()); // its objects have the names that the old ones had
+        const DrawLists lists(cube(), vivid);
+        other.draw(lists, camera_at(lists, "iso"), {}, {}, 0);
+        const Image before = other.read_image();
+        renderer.reset();
+        other.draw(lists, camera_at(lists, "top"), {}, {}, 0);
+        other.draw(lists, camera_at(lists, "iso"), {}, {}, 0);
+        EXPECT_TRUE(other.read_image() == before);
+    }).join();
+}
+
 TEST_F(RendererTest, KnowsASoftwareDriver)
 {
     EXPECT_TRUE(studio.renderer.is_software()) << studio.renderer.driver();
