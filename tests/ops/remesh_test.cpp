@@ -94,8 +94,8 @@ const std::vector<Input> inputs{
     {"StartsElsewhere", [] { return with_turned_starts(dodecahedron()); }},
     {"EditedTorus", edited_torus},
 };
-class EverySolid : public testing::TestWithParam<Input> {};
-INSTANTIATE_TEST_SUITE_P(Remesh, EverySolid, testing::ValuesIn(inputs), shape_name<testing::TestParamInfo<Input>>);
+class EveryRemeshedModel : public testing::TestWithParam<Input> {};
+INSTANTIATE_TEST_SUITE_P(Remesh, EveryRemeshedModel, testing::ValuesIn(inputs), shape_name<testing::TestParamInfo<Input>>);
 
 // --- the plain way --------------------------------------------------------------------------------------------------------------
 
@@ -138,7 +138,7 @@ void expect_genus_and_volume_kept(const Mesh& before, const Mesh& after)
 
 // --- Catmull-Clark --------------------------------------------------------------------------------------------------------------
 
-TEST_P(EverySolid, GetsTheQuadsOfCatmullAndClarkInTheirOrder)
+TEST_P(EveryRemeshedModel, GetsTheQuadsOfCatmullAndClarkInTheirOrder)
 {
     const Mesh old = GetParam().make(), mesh = once<CatmullClark>(old);
     const Lists was(old);
@@ -152,7 +152,7 @@ TEST_P(EverySolid, GetsTheQuadsOfCatmullAndClarkInTheirOrder)
     EXPECT_EQ(groups(mesh), std::vector<int>(2 * was.E, 1));
 }
 
-TEST_P(EverySolid, IsMovedAsCatmullAndClarkSay)
+TEST_P(EveryRemeshedModel, IsMovedAsCatmullAndClarkSay)
 {
     const Mesh old = GetParam().make(), mesh = once<CatmullClark>(old);
     const Lists was(old);
@@ -215,7 +215,7 @@ TEST(CatmullClark, TakesValenceTwo)
 
 // --- Doo-Sabin -------------------------------------------------------------------------------------------------------------------
 
-TEST_P(EverySolid, GetsTheFacesOfDooAndSabinInTheirOrder)
+TEST_P(EveryRemeshedModel, GetsTheFacesOfDooAndSabinInTheirOrder)
 {
     const Mesh old = GetParam().make(), mesh = once<DooSabin>(old);
     const Lists was(old);
@@ -246,7 +246,7 @@ TEST_P(EverySolid, GetsTheFacesOfDooAndSabinInTheirOrder)
     for (const Vertex v : mesh.vertices()) EXPECT_EQ(mesh.valence(v), 4);
 }
 
-TEST_P(EverySolid, IsWeightedAsDooAndSabinSay)
+TEST_P(EveryRemeshedModel, IsWeightedAsDooAndSabinSay)
 {
     const Mesh old = GetParam().make(), mesh = once<DooSabin>(old);
     const Lists was(old);
@@ -289,7 +289,7 @@ TEST(DooSabin, WeighsAFaceOfManySidesInTimeThatFollowsItsSides)
 
 // --- checkerboard ------------------------------------------------------------------------------------------------------------------
 
-TEST_P(EverySolid, GetsTheFramesOfTheCheckerboardInTheirOrder)
+TEST_P(EveryRemeshedModel, GetsTheFramesOfTheCheckerboardInTheirOrder)
 {
     const Mesh old = GetParam().make(), mesh = once<Checkerboard>(old);
     const Lists was(old);
