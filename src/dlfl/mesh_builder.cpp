@@ -79,30 +79,27 @@ bool MeshBuilder::connect(Mesh& mesh)
     Corner* const list = lists.extend(vertices);
     Corner* const following = next; // in its list
     std::fill_n(list, vertices, Corner());
-    std::fill_n(vertex_corner, vertices, Corner());
     std::uint32_t sides = 0;
     for (std::uint32_t f = faces; f-- > 0;) {
         const std::uint32_t begin = f > 0 ? ends[f - 1] : 0, end = ends[f];
         ASSERT(end > begin, "no face without corners");
         start[f] = Corner(begin);
-        Corner into(begin);
-        Vertex to = vertex[begin];
+        std::uint32_t into = begin, to = vertex[begin].index;
         for (std::uint32_t c = end; c-- > begin;) {
-            const Vertex from = vertex[c];
-            ASSERT(from.index < vertices, "corners of vertices that exist");
-            previous[into.index] = Corner(c);
+            const std::uint32_t from = vertex[c].index;
+            ASSERT(from < vertices, "corners of vertices that exist");
+            previous[into] = Corner(c);
             face[c] = Face(f);
-            vertex_corner[from.index] = Corner(c); // the lowest remains
             if (from == to) {
                 if (end != begin + 1) return false;
                 following[c] = Corner(c); // a point sphere
                 break;
             }
-            const std::uint32_t low = std::min(from.index, to.index);
-            following[into.index] = list[low];
-            list[low] = into;
+            const std::uint32_t low = from < to ? from : to;
+            following[into] = list[low];
+            list[low] = Corner(into);
             ++sides;
-            into = Corner(c);
+            into = c;
             to = from;
         }
     }
@@ -138,6 +135,8 @@ bool MeshBuilder::connect(Mesh& mesh)
     if (2 * edges != sides) return false; // open somewhere
 
     // 3. One rotation per vertex: then those that start at the vertices' first corners meet every corner.
+    std::fill_n(vertex_corner, vertices, Corner());
+    for (std::uint32_t c = corners; c-- > 0;) vertex_corner[vertex[c].index] = Corner(c);
     std::uint32_t turned = 0;
     for (std::uint32_t v = 0; v < vertices; ++v) {
         const Corner first = vertex_corner[v];
