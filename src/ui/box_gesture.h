@@ -1,0 +1,28 @@
+#pragma once
+
+#include "ui/gesture.h"
+#include "ui/tool.h"
+
+namespace druse::ui {
+
+/// Selects what lies inside a rectangle of the picture: faces, edges or vertices whose every vertex is seen in it.
+class BoxGesture : public Gesture {
+public:
+    BoxGesture(Element element, Session& session, const Camera& camera, const Pointer& start)
+        : element_(element), session_(session), camera_(camera), start_(start), end_(start)
+    {
+    }
+    void move(const Pointer& pointer) override { end_ = pointer; }
+    void release(const Pointer& pointer) override;
+
+    const Pointer& start() const { return start_; }
+    const Pointer& end() const { return end_; }
+
+private:
+    Element element_;
+    Session& session_;
+    const Camera& camera_;
+    Pointer start_, end_;
+};
+
+} // namespace druse::ui

@@ -1,0 +1,93 @@
+#include "ui/display.h"
+
+#include <utility>
+
+namespace druse::ui {
+
+namespace {
+
+constexpr std::uint32_t quickly_counted = 20000; // faces
+constexpr std::size_t most_starts = 5000;        // more dots than that say nothing
+
+GroupColours colours_of(const GroupTable& groups)
+{
+    return [&groups](int group) { return groups.colour(group); };
+}
+
+void build(DrawLists& lists, const Document& document)
+{
+    const Scene& scene = document.scene();
+    const Graph* graph = std::get_if<Graph>(&*scene.source);
+    if (graph && scene.mesh.face_count() == 0) lists.build(*graph);
+    else lists.build(scene.mesh, colours_of(*scene.groups));
+}
+
+} // namespace
+
+DisplayChange::DisplayChange(const Document& document, MeshDelta delta) : delta_(std::move(delta))
+{
+    const Scene& scene = document.scene();
+    const std::size_t changed = delta_.faces.size() + delta_.vertices.size();
+    if (delta_.whole || changed > scene.mesh.face_count() / 2) {
+        delta_.whole = true;
+        lists_.emplace();
+        build(*lists_, document);
+    }
+    if (scene.mesh.face_count() <= quickly_counted) facts_ = facts(scene.mesh);
+    if (scene.selection->faces.size() <= most_starts)
+        for (const Face f : scene.selection->faces) {
+            const Point corner = scene.mesh.position(scene.mesh.corner(f));
+            starts_.push_back(corner + 0.12 * (vertex_mean(scene.mesh, f) - corner));
+        }
+}
+
+void DisplayChange::apply_to(Display& display, const Document& document)
+{
+    const Scene& scene = document.scene();
+    if (lists_) {
+        display.lists = std::move(*lists_);
+        display.lists.select(scene.selection->faces);
+    } else {
+        const bool mesh_changed = !(delta_.vertices.empty() && delta_.edges.empty() && delta_.faces.empty() && delta_.regrouped.empty());
+        if (mesh_changed) display.lists.update(scene.mesh, delta_, colours_of(*scene.groups));
+        if (!display.groups.same_as(scene.groups) && !(*display.groups == *scene.groups))
+            display.lists.recolour(scene.mesh, colours_of(*scene.groups));
+        display.lists.select(scene.selection->faces);
+    }
+    display.counts = scene.mesh.counts();
+    display.facts = std::move(facts_);
+    display.groups = scene.groups;
+    display.selection = scene.selection;
+    display.starts = std::move(starts_);
+
+    const History& history = document.history();
+    display.beginning = history.beginning().text;
+    display.steps.clear();
+    for (std::size_t i = 0; i < history.size(); ++i) display.steps.push_back(history[i].command.text);
+    display.done = history.done();
+    display.first = history.first();
+}
+
+MeshDelta whole_delta()
+{
+    MeshDelta delta;
+    delta.whole = true;
+    return delta;
+}
+
+MeshDelta both(MeshDelta a, const MeshDelta& b, const Mesh& mesh)
+{
+    // What the first one lists may be gone, and its id with it.
+    std::erase_if(a.vertices, [&](Vertex v) { return v.index >= mesh.vertex_limit(); });
+    std::erase_if(a.edges, [&](Edge e) { return e.index >= mesh.edge_limit(); });
+    std::erase_if(a.faces, [&](Face f) { return f.index >= mesh.face_limit(); });
+    std::erase_if(a.regrouped, [&](Face f) { return f.index >= mesh.face_limit(); });
+    a.whole = a.whole || b.whole;
+    a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
+    a.edges.insert(a.edges.end(), b.edges.begin(), b.edges.end());
+    a.faces.insert(a.faces.end(), b.faces.begin(), b.faces.end());
+    a.regrouped.insert(a.regrouped.end(), b.regrouped.begin(), b.regrouped.end());
+    return a;
+}
+
+} // namespace druse::ui

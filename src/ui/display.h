@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/document.h"
+#include "dlfl/measures.h"
+#include "render/draw_lists.h"
+#include "render/mesh_delta.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace druse::ui {
+
+/// Everything that the window shows of a document, in a copy of its own: it stays while a command works on the document.
+struct Display {
+    DrawLists lists;
+    Counts counts;
+    std::optional<MeshFacts> facts; // of the state shown; nothing while they are not counted yet
+    Shared<GroupTable> groups;
+    Shared<Selection> selection;
+    std::vector<Point> starts; // start corners of the selected faces, a little way into the face
+
+    std::string beginning;          // how step 0 came to be
+    std::vector<std::string> steps; // the commands of the history, undone ones too
+    std::size_t done = 0;           // how many of them are in the state shown
+    std::size_t first = 0;          // states before this one are forgotten
+};
+
+/// What changed between two states of a document: made on the thread that changed it, taken over on the one that shows it.
+class DisplayChange {
+public:
+    DisplayChange() = default;
+    /// `delta` holds at least what changed in the mesh. Facts are counted if the mesh is small enough to wait for it, and lists
+    /// made anew here if that is the larger part of the work.
+    DisplayChange(const Document& document, MeshDelta delta);
+
+    /// Brings a display to the state of the document, which must be the one that the change was made for.
+    void apply_to(Display& display, const Document& document);
+
+private:
+    MeshDelta delta_;
+    std::optional<DrawLists> lists_;
+    std::optional<MeshFacts> facts_;
+    std::vector<Point> starts_;
+};
+
+/// Everything changed.
+MeshDelta whole_delta();
+/// The union of two deltas, the second of which ends at the state `mesh`.
+MeshDelta both(MeshDelta a, const MeshDelta& b, const Mesh& mesh);
+
+} // namespace druse::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ui/preferences.h"
+#include "ui/session.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace druse::ui {
+
+/// What the File menu does: asks for names, asks about unsaved work, and hands the rest to the session.
+class FileCommands {
+public:
+    FileCommands(Session& session, Preferences& preferences) : session_(session), preferences_(preferences) {}
+
+    void start_over();
+    void open();
+    void open(const std::filesystem::path& file);
+    bool save();
+    bool save_as();
+    void export_copy();
+    /// `uris` as dropped: one file opens, more are merged as further parts.
+    void drop(const std::string& uris);
+    /// Asks about unsaved work. @return true if it may go
+    bool may_leave();
+
+private:
+    bool save_to(const std::filesystem::path& file);
+    std::filesystem::path proposal(const char* extension) const;
+
+    Session& session_;
+    Preferences& preferences_;
+};
+
+/// The files in a `text/uri-list`: one a line, percent-decoded, `file:` and the host taken off. Other lines are left out.
+std::vector<std::filesystem::path> files_of_uris(std::string_view uris);
+
+} // namespace druse::ui

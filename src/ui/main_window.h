@@ -1,0 +1,101 @@
+#pragma once
+
+#include "ui/action.h"
+#include "ui/divider.h"
+#include "ui/facts_panel.h"
+#include "ui/file_commands.h"
+#include "ui/groups_panel.h"
+#include "ui/history_panel.h"
+#include "ui/menu.h"
+#include "ui/operator_tree.h"
+#include "ui/parameter_panel.h"
+#include "ui/preferences.h"
+#include "ui/section.h"
+#include "ui/session.h"
+#include "ui/status_bar.h"
+#include "ui/view.h"
+#include "ui/view_bar.h"
+#include "ui/viewport.h"
+
+#include <FL/Fl_Box.H>
+#include <FL/Fl_Double_Window.H>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace druse::ui {
+
+/// Puts the parts of the window side by side and tells each when the session has changed. What they do is in them.
+class MainWindow : public Fl_Double_Window {
+public:
+    struct Options {
+        bool test = false; // no animation, nothing remembered
+    };
+    MainWindow(Session& session, Preferences& preferences, const Options& options, int w, int h);
+    ~MainWindow() override;
+
+    void resize(int x, int y, int w, int h) override;
+    int handle(int event) override;
+
+    /// One line for everything that happens: what the session says, frames, and what is pressed in the view.
+    std::function<void(const std::string&)> on_event;
+
+    Session& session() { return session_; }
+    View& view() { return view_; }
+    Viewport& viewport() { return viewport_; }
+    FileCommands& files() { return files_; }
+    Menu& menu() { return *menu_; }
+    ParameterPanel& parameters() { return parameters_; }
+    const Actions& actions() const { return actions_; }
+
+    // What the View and Help menus do with the window itself.
+    void fold_sides();
+    bool sides_are_folded() const { return !left_open_ && !right_open_; }
+    void full_screen();
+    void open_palette();
+    void save_screenshot();
+    void show_help();
+    void show_log();
+    void quit();
+    /// Chooses an operator and shows it; one without parameters runs.
+    void choose(const Operator& op);
+
+private:
+    void arrange();
+    void arrange_right(int x, int y, int w, int h);
+    void event(const std::string& line);
+    void refresh(); // after a change of the session
+    void later();   // what need not be done at once
+    void escape();
+    bool other_key(int key);
+    void show_missing_view();
+    void frame_what_is_new();
+
+    Session& session_;
+    Preferences& preferences_;
+    Options options_;
+    View view_;
+    FileCommands files_;
+    Actions actions_;
+
+    std::unique_ptr<Menu> menu_;
+    OperatorTree tree_;
+    ParameterPanel parameters_;
+    ViewBar view_bar_;
+    Fl_Box no_view_; // says why there is no picture
+    Viewport viewport_;
+    HistoryPanel history_;
+    GroupsPanel groups_;
+    FactsPanel facts_;
+    Section history_section_, groups_section_, facts_section_;
+    Divider left_divider_, right_divider_, tree_divider_;
+    StatusBar status_;
+
+    int left_width_, right_width_, tree_height_;
+    bool left_open_ = true, right_open_ = true;
+    std::filesystem::path framed_file_;
+    bool framed_ = false;
+};
+
+} // namespace druse::ui

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "ui/panel.h"
+#include "ui/parameter_row.h"
+#include "ui/session.h"
+
+#include <FL/Fl_Button.H>
+#include <FL/Fl_Check_Button.H>
+#include <FL/Fl_Scroll.H>
+
+#include <memory>
+#include <vector>
+
+namespace druse::ui {
+
+/// The parameters of the chosen operator, one row each, and what to do with them. Made from the registry.
+class ParameterPanel : public Panel {
+public:
+    ParameterPanel(Session& session, int x, int y, int w, int h);
+
+    std::function<void()> on_help;
+
+    /// Shows what the session has now.
+    void refresh();
+    /// The row of a parameter (of a list: of one of its numbers); null if there is none.
+    ParameterRow* row(std::string_view parameter, int place = -1);
+
+    int handle(int event) override;
+
+protected:
+    void arrange() override;
+    void draw() override;
+
+private:
+    void make_rows();
+    void show_values();
+    void arrange_rows();
+    void set(const Control& control, const std::string& text);
+    int header_height() const;
+
+    Session& session_;
+    const Operator* shown_ = nullptr;
+    Fl_Scroll scroll_;
+    std::vector<std::unique_ptr<ParameterRow>> rows_; // after what they are in, so that they go first
+    Fl_Check_Button live_;
+    Fl_Button apply_, reset_, help_;
+};
+
+} // namespace druse::ui

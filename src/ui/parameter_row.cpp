@@ -1,0 +1,81 @@
+#include "ui/parameter_row.h"
+
+#include "ui/draw.h"
+#include "ui/layout.h"
+#include "ui/number_row.h"
+#include "ui/text_rows.h"
+#include "ui/theme.h"
+
+#include <FL/Fl.H>
+#include <FL/Fl_Menu_Item.H>
+#include <FL/fl_draw.H>
+
+namespace druse::ui {
+
+ParameterRow::ParameterRow(const Control& control, int x, int y, int w) : Panel(x, y, w, layout().row_height()), control_(control)
+{
+    copy_tooltip(control_.help.c_str());
+    color(theme().window);
+}
+
+int ParameterRow::control_x() const { return x() + layout().label_width(); }
+
+void ParameterRow::draw()
+{
+    fl_color(theme().window);
+    fl_rectf(x(), y(), w(), h());
+    fl_font(FL_HELVETICA, layout().font());
+    draw_text(control_.label + (control_.required ? " *" : ""), x(), y(), layout().label_width() - layout().gap(), layout().control_height(),
+              is_default_ ? theme().faint_text : theme().text);
+    draw_children();
+}
+
+void ParameterRow::set(const std::string& text)
+{
+    if (on_set) on_set(text);
+}
+
+int ParameterRow::handle(int event)
+{
+    const bool on_label = Fl::event_inside(x(), y(), layout().label_width(), h());
+    if (event == FL_PUSH && Fl::event_button() == 3) {
+        open_menu();
+        return 1;
+    }
+    if (event == FL_PUSH && on_label) {
+        if (Fl::event_clicks() > 0) set({});
+        return 1;
+    }
+    return Panel::handle(event);
+}
+
+void ParameterRow::open_menu()
+{
+    const std::string initial = "Default" + (control_.initial.empty() ? std::string() : ": " + control_.initial);
+    const Fl_Menu_Item items[] = {
+        {"Type a value", 0, nullptr, nullptr, 0, 0, 0, 0, 0},
+        {initial.c_str(), 0, nullptr, nullptr, FL_MENU_DIVIDER, 0, 0, 0, 0},
+        {"Copy as command", 0, nullptr, nullptr, 0, 0, 0, 0, 0},
+        {nullptr, 0, nullptr, nullptr, 0, 0, 0, 0, 0},
+    };
+    const Fl_Menu_Item* picked = items->popup(Fl::event_x(), Fl::event_y());
+    if (picked == &items[0]) edit();
+    else if (picked == &items[1]) set({});
+    else if (picked == &items[2] && on_copy) on_copy();
+}
+
+std::unique_ptr<ParameterRow> make_row(const Control& control, int x, int y, int w)
+{
+    switch (control.kind) {
+    case Control::Kind::number: return std::make_unique<NumberRow>(control, x, y, w);
+    case Control::Kind::toggle: return std::make_unique<ToggleRow>(control, x, y, w);
+    case Control::Kind::choice: return std::make_unique<ChoiceRow>(control, x, y, w);
+    case Control::Kind::field:
+    case Control::Kind::selector:
+    case Control::Kind::colour:
+    case Control::Kind::file: break;
+    }
+    return std::make_unique<TextRow>(control, x, y, w);
+}
+
+} // namespace druse::ui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "ui/control.h"
+#include "ui/panel.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace druse::ui {
+
+/// One row of the parameter panel: a label and the control of one parameter, or of one number of a list.
+class ParameterRow : public Panel {
+public:
+    ParameterRow(const Control& control, int x, int y, int w);
+
+    /// The person has set it to this text; an empty one asks for the default.
+    std::function<void(const std::string&)> on_set;
+    /// "Copy as command" was chosen.
+    std::function<void()> on_copy;
+    /// Enter was pressed in a field; `changed` tells whether that set another value.
+    std::function<void(bool changed)> on_enter;
+
+    const Control& control() const { return control_; }
+    /// Shows a value; `is_default` makes the label faint.
+    virtual void show_value(const std::string& text, bool is_default) = 0;
+
+    int handle(int event) override;
+
+protected:
+    void draw() override;
+    void set(const std::string& text);
+    /// Puts the keyboard into the row's field, for "Type a value".
+    virtual void edit() {}
+    int control_x() const;
+
+    bool is_default_ = true;
+
+private:
+    void open_menu();
+    Control control_;
+};
+
+/// The kind of row that a control asks for.
+std::unique_ptr<ParameterRow> make_row(const Control& control, int x, int y, int w);
+
+} // namespace druse::ui

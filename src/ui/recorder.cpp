@@ -1,0 +1,97 @@
+#include "ui/recorder.h"
+
+#include "ui/key_names.h"
+#include "ui/main_window.h"
+
+#include "dlfl/errors.h"
+
+#include <FL/Fl.H>
+
+#include <fmt/format.h>
+
+namespace druse::ui {
+
+namespace {
+
+/// `shift ctrl alt twice`, those that hold, each after a blank.
+std::string held()
+{
+    std::string text;
+    if (Fl::event_state(FL_SHIFT)) text += " shift";
+    if (Fl::event_state(FL_CTRL)) text += " ctrl";
+    if (Fl::event_state(FL_ALT)) text += " alt";
+    return text;
+}
+
+} // namespace
+
+Recorder* Recorder::only_ = nullptr;
+
+Recorder::Recorder(MainWindow& window, const std::string& file) : window_(window), out_(file)
+{
+    if (!out_) throw InputError(file, "cannot be written");
+    only_ = this;
+    Fl::event_dispatch(dispatch);
+    window_.menu().on_pick = [this](const std::string& path) {
+        if (Fl::event() != FL_SHORTCUT && Fl::event() != FL_KEYBOARD && !path.ends_with("…")) write("menu " + path);
+    };
+}
+
+Recorder::~Recorder()
+{
+    window_.menu().on_pick = nullptr;
+    Fl::event_dispatch(nullptr);
+    only_ = nullptr;
+}
+
+int Recorder::dispatch(int event, Fl_Window* to)
+{
+    // What goes to menus and dialogs is theirs.
+    if (to && (to == &only_->window_ || to->window() == &only_->window_) && !Fl::grab()) only_->record(event);
+    return Fl::handle_(event, to);
+}
+
+void Recorder::record(int event)
+{
+    const int x = Fl::event_x_root() - window_.x_root(), y = Fl::event_y_root() - window_.y_root();
+    const bool in_view = x >= window_.viewport().x() && x < window_.viewport().x() + window_.viewport().w() && y >= window_.viewport().y();
+    switch (event) {
+    case FL_PUSH:
+        if (y < window_.menu().h() || (Fl::event_button() == 3 && !in_view)) break;
+        pressed_ = true;
+        write(fmt::format("push {} {} {}{}{}", x, y, Fl::event_button(), held(), Fl::event_clicks() > 0 ? " twice" : ""));
+        break;
+    case FL_MOVE: // FLTK makes a drag of it later
+    case FL_DRAG:
+        if (pressed_) write(fmt::format("drag {} {}{}", x, y, held()));
+        break;
+    case FL_RELEASE:
+        if (pressed_) write(fmt::format("release {} {}{}", x, y, held()));
+        pressed_ = false;
+        break;
+    case FL_MOUSEWHEEL: write(fmt::format("wheel {} {} {}{}", x, y, Fl::event_dy(), held())); break;
+    case FL_KEYBOARD:
+    case FL_SHORTCUT: {
+        const std::string name = key_text({Fl::event_key(), Fl::event_state() & (FL_CTRL | FL_ALT | FL_SHIFT)});
+        if (event == FL_KEYBOARD && !name.empty() && !asks(Fl::event_key(), Fl::event_state())) write("key " + name);
+        break;
+    }
+    default: break;
+    }
+}
+
+/// Would the key open a dialog?
+bool Recorder::asks(int key, int state) const
+{
+    for (const Action& action : window_.actions())
+        if (action.shortcut == (key | (state & (FL_CTRL | FL_ALT | FL_SHIFT))) && action.path.ends_with("…")) return true;
+    return false;
+}
+
+void Recorder::follow(const std::string& line)
+{
+    for (const auto& [event, verb] : {std::pair("opened ", "open "), std::pair("saved ", "save "), std::pair("exported ", "export ")})
+        if (line.starts_with(event)) write(verb + line.substr(std::string_view(event).size()));
+}
+
+} // namespace druse::ui

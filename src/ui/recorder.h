@@ -1,0 +1,38 @@
+#pragma once
+
+#include <FL/Fl_Window.H>
+
+#include <fstream>
+#include <string>
+
+namespace druse::ui {
+
+class MainWindow;
+
+/// Writes down what a person does in the main window, one event a line, as Replay reads it.
+///
+/// Menus and dialogs are left out; what comes of them is written instead: the entry that was picked, the file that was opened.
+class Recorder {
+public:
+    /// @throws InputError if the file cannot be written
+    Recorder(MainWindow& window, const std::string& file);
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    /// An event of the log: files that were opened, saved or exported.
+    void follow(const std::string& line);
+
+private:
+    static int dispatch(int event, Fl_Window* to);
+    void record(int event);
+    bool asks(int key, int state) const;
+    void write(const std::string& line) { out_ << line << std::endl; }
+
+    static Recorder* only_;
+    MainWindow& window_;
+    std::ofstream out_;
+    bool pressed_ = false;
+};
+
+} // namespace druse::ui

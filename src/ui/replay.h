@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace druse::ui {
+
+class MainWindow;
+
+/// Plays a recording on the main loop: mouse, keys and menu entries go in where FLTK would put them.
+///
+/// ```
+/// push X Y BUTTON [shift] [ctrl] [alt] [twice]      drag X Y      move X Y      release X Y      wheel X Y NOTCHES
+/// key Ctrl+Z      menu Edit/Undo      choose OPERATOR      set PARAMETER VALUE      run COMMAND
+/// open FILE       save FILE           export FILE          shot FILE.png            wait EVENT     quit
+/// ```
+/// `wait` goes on when a line of the event log since the last wait begins so; after 10 seconds it fails.
+class Replay {
+public:
+    /// @throws InputError if the file cannot be read
+    Replay(MainWindow& window, const std::string& file);
+    ~Replay();
+    Replay(const Replay&) = delete;
+    Replay& operator=(const Replay&) = delete;
+
+    void start();
+    /// A line of the event log.
+    void follow(const std::string& line) { events_.push_back(line); }
+    /// What went wrong, with the line; empty if nothing did.
+    const std::string& failure() const { return failure_; }
+    std::function<void()> on_end;
+
+private:
+    void next();
+    void play(const std::string& line);
+    bool awaited(const std::string& event);
+    void fail(const std::string& what);
+
+    MainWindow& window_;
+    std::string file_;
+    std::vector<std::string> lines_;
+    std::size_t at_ = 0;
+    std::vector<std::string> events_; // since the last wait
+    int ticks_waited_ = 0;
+    std::string failure_;
+};
+
+} // namespace druse::ui

@@ -1,0 +1,98 @@
+#include "ui/run_window.h"
+
+#include "ui/event_log.h"
+#include "ui/geometry.h"
+#include "ui/layout.h"
+#include "ui/main_window.h"
+#include "ui/preferences.h"
+#include "ui/recorder.h"
+#include "ui/replay.h"
+#include "ui/theme.h"
+
+#include "app/registry.h"
+#include "dlfl/errors.h"
+
+#include <FL/Fl.H>
+#include <FL/Fl_Tooltip.H>
+#include <FL/x.H>
+
+#include <cstdlib>
+#include <optional>
+
+namespace druse {
+
+namespace {
+
+using namespace ui;
+
+/// FLTK ends the process where there is no display, so that one looks first.
+void require_display()
+{
+    ::Display* display = XOpenDisplay(nullptr);
+    if (!display) {
+        const char* name = std::getenv("DISPLAY");
+        throw SystemError(name && *name ? std::string("cannot open the display ") + name : "there is no display: DISPLAY is not set");
+    }
+    XCloseDisplay(display);
+}
+
+double scale_of(const WindowOptions& options, const Preferences& preferences)
+{
+    const double scale = options.ui_scale != 0 ? options.ui_scale : preferences.ui_scale;
+    if (scale == 1 || scale == 1.25 || scale == 1.5 || scale == 2) return scale;
+    throw CommandError("--ui-scale: expected 1, 1.25, 1.5 or 2");
+}
+
+} // namespace
+
+int run_window(const WindowOptions& options)
+{
+    const Geometry asked = Geometry::parse(options.geometry);
+    EventLog log = options.event_log.empty() ? EventLog() : EventLog(options.event_log);
+    require_display();
+
+    Preferences preferences = options.test ? Preferences() : Preferences::load();
+    set_layout(Layout(scale_of(options, preferences)));
+    use_theme(preferences.dark);
+    if (options.test) {
+        Fl_Tooltip::disable();
+        Fl::option(Fl::OPTION_FNFC_USES_GTK, false);
+    }
+    Fl::lock();
+
+    Session session(all_operators());
+    const Layout& l = layout();
+    const int w = asked.width ? *asked.width : preferences.width > 0 ? preferences.width : std::min(l.window_width(), Fl::w());
+    const int h = asked.height ? *asked.height : preferences.height > 0 ? preferences.height : std::min(l.window_height(), Fl::h());
+    MainWindow window(session, preferences, {.test = options.test}, w, h);
+    std::optional<Recorder> recorder;
+    if (!options.record.empty()) recorder.emplace(window, options.record);
+    std::optional<Replay> replay;
+    if (!options.replay.empty()) replay.emplace(window, options.replay);
+    window.on_event = [&](const std::string& line) {
+        log.write(line);
+        if (recorder) recorder->follow(line);
+        if (replay) replay->follow(line);
+    };
+    if (asked.x) window.position(*asked.x, *asked.y);
+    else if (preferences.x >= 0 && preferences.x < Fl::w() && preferences.y >= 0 && preferences.y < Fl::h())
+        window.position(preferences.x, preferences.y);
+
+    window.show();
+    window.viewport().show();
+    if (!options.file.empty()) {
+        session.open(options.file);
+        preferences.remember(std::filesystem::absolute(options.file));
+    }
+    Fl::check();
+    log.write("ready");
+    if (replay) replay->start();
+    Fl::run();
+    session.cancel();
+    session.wait();
+    if (!options.test) preferences.store();
+    if (replay && !replay->failure().empty()) throw CommandError(replay->failure());
+    return 0;
+}
+
+} // namespace druse

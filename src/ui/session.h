@@ -1,0 +1,182 @@
+#pragma once
+
+#include "ui/arguments.h"
+#include "ui/display.h"
+#include "ui/worker.h"
+
+#include "app/document.h"
+
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace druse::ui {
+
+/// One line for the status bar.
+struct Message {
+    enum class Kind { note, error };
+    Kind kind = Kind::note;
+    std::string text;
+};
+
+/// What a window does, without the window: a document, what is shown of it, the operator that is chosen and its values, and the
+/// one worker on which every command runs.
+///
+/// A command gets `patience` to be done before the caller goes on without it; until it is, busy() is true, the display stays as it
+/// was, and `wake` is called (on the worker's thread) when finish() has something to take over. All other functions belong to
+/// one thread.
+class Session {
+public:
+    static constexpr std::chrono::milliseconds patience{40};
+    static constexpr std::chrono::milliseconds too_slow_for_live{2000};
+
+    explicit Session(const Registry& registry);
+
+    // --- who listens ----------------------------------------------------------------------------------------------------
+
+    std::function<void()> wake;                       // on the worker's thread; see finish()
+    std::function<void()> on_change;                  // display, operator, message or busy() is not as it was
+    std::function<void(const std::string&)> on_event; // one line for the event log
+    std::function<void(const std::string& title, const std::string& text)> on_output; // what a query found
+
+    // --- what is shown --------------------------------------------------------------------------------------------------
+
+    const Display& display() const { return display_; }
+    /// Grows with everything that on_change tells of the display.
+    std::uint64_t display_version() const { return display_version_; }
+    const Message& message() const { return message_; }
+    void say(Message::Kind kind, std::string text);
+    const std::vector<Message>& log() const { return log_; }
+    /// Faces that the last command could not work on.
+    const std::vector<Face>& failed_faces() const { return failed_; }
+    void forget_failed_faces() { failed_.clear(); }
+    const Registry& registry() const { return registry_; }
+    /// The mesh itself, for looking up corners; null while a command works on it.
+    const Mesh* mesh() const { return busy() ? nullptr : &document_.scene().mesh; }
+
+    // --- the chosen operator --------------------------------------------------------------------------------------------
+
+    /// Chooses an operator, or none. Each keeps the values it was given.
+    void choose(const Operator* op);
+    const Operator* chosen() const { return chosen_; }
+    const Arguments& arguments() const; // precondition: chosen()
+    /// Sets a value of the chosen operator. If its last step is still bound to the panel and live is on, runs that step again.
+    void set(std::string_view parameter, std::string_view text);
+    void reset_arguments();
+
+    bool live() const { return live_; }
+    void set_live(bool on);
+    /// True while the last step can be adjusted: it was made with the chosen operator, and nothing happened since.
+    bool is_bound() const { return bound_.has_value(); }
+    /// The arguments beside the panel's that the bound step was made with; empty if nothing is bound.
+    std::string bound_target() const;
+
+    // --- doing ----------------------------------------------------------------------------------------------------------
+
+    using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+    /// Runs the chosen operator with its values; `target` says what to act on, e.g. {{"faces", "17"}}. The step stays bound.
+    void apply_chosen(const Overrides& target = {});
+    /// Runs the command of the last step of the chosen operator again, on the selection there is now.
+    void repeat();
+    /// Runs any command.
+    void run(const std::string& command);
+    void undo() { run("document.undo"); }
+    void redo() { run("document.redo"); }
+    void go_to(std::size_t step);
+
+    void open(const std::filesystem::path& file);
+    /// Writes the mesh (or what the extension says) to the file and makes it the document's own.
+    void save(const std::filesystem::path& file);
+    /// Writes it and keeps the document's own file.
+    void export_to(const std::filesystem::path& file);
+    /// An empty document, without a file.
+    void start_over();
+
+    bool busy() const { return in_flight_; }
+    double fraction() const { return worker_.fraction(); }
+    /// What is being done, for the progress bar.
+    const std::string& doing() const { return doing_; }
+    void cancel();
+    /// Takes over what the worker has done, and starts what was waiting for it. Nothing happens if it is not done yet.
+    void finish();
+    /// Waits until nothing runs or waits.
+    void wait();
+
+    /// Counts the facts of a mesh that was too large to count them with its command.
+    void count_facts();
+
+    // --- the file -------------------------------------------------------------------------------------------------------
+
+    const std::filesystem::path& file() const { return file_; }
+    std::string title() const; // `cube.obj*`
+    bool is_changed() const;
+    /// The step that was saved last; nothing if that state is out of reach.
+    std::optional<std::size_t> saved_step() const { return saved_; }
+    /// The history as a script. Precondition: not busy().
+    std::string script() const;
+
+private:
+    struct Request {
+        enum class Task { command, again, open, save, count, clear };
+        Task task = Task::command;
+        std::string command = {};
+        std::filesystem::path file = {};
+        bool keep_file = false;               // save: only an export
+        std::optional<Overrides> target = {}; // the step stays bound to the panel with this
+    };
+    struct Result {
+        std::exception_ptr error;
+        Document::Outcome outcome;
+        std::optional<DisplayChange> change;
+        std::optional<MeshFacts> facts;
+        std::size_t before = 0; // steps done
+        std::chrono::milliseconds took{0};
+    };
+
+    void submit(Request request);
+    void begin(Request request);
+    void perform(const Request& request, Progress& progress, Result& result);
+    MeshDelta run_command(const Request& request, Progress& progress, Result& result);
+    void take_over();
+    void report(const Request& request, const Result& result);
+    void report_error(const Request& request, const std::exception_ptr& error);
+    void follow_saved_state(const Request& request, const Result& result);
+    std::size_t position() const { return document_.history().done(); }
+    void changed();
+    void event(const std::string& line);
+    std::filesystem::path folder() const;
+
+    const Registry& registry_;
+    Document document_;
+    Display display_;
+    std::uint64_t display_version_ = 0;
+    Message message_;
+    std::vector<Message> log_;
+    std::vector<Face> failed_;
+
+    const Operator* chosen_ = nullptr;
+    std::map<const Operator*, Arguments> arguments_;
+    std::optional<Overrides> bound_;
+    bool live_ = true;
+    std::set<const Operator*> not_live_; // too slow to run while a slider moves
+
+    std::filesystem::path file_;
+    std::optional<std::size_t> saved_ = 0;
+
+    bool in_flight_ = false;
+    Request request_;
+    std::optional<Request> waiting_;
+    Result result_;
+    std::string doing_;
+    Worker worker_; // last: it is done before anything it works on goes
+};
+
+} // namespace druse::ui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <FL/Fl_Valuator.H>
+
+#include <functional>
+
+namespace druse::ui {
+
+/// A slim horizontal slider. The wheel and the arrow keys go a step, with Shift a tenth of one.
+///
+/// The value may lie outside the slider's ends; the knob then stays at the end.
+class Slider : public Fl_Valuator {
+public:
+    Slider(int x, int y, int w, int h);
+
+    void set_range(double low, double high, double step);
+    /// Called with the wanted number before it becomes the value: what one can slide to.
+    std::function<double(double)> snap;
+    std::function<void(double)> on_slide;
+    std::function<void()> on_release;
+
+    int handle(int event) override;
+
+protected:
+    void draw() override;
+
+private:
+    int knob_x() const;
+    void slide_to(double wanted);
+    void go(double steps);
+
+    double step_ = 0;
+    bool hovered_ = false;
+};
+
+} // namespace druse::ui

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/panel.h"
+#include "ui/session.h"
+
+#include <FL/Fl_Button.H>
+#include <FL/Fl_Progress.H>
+
+#include <string>
+#include <vector>
+
+namespace druse::ui {
+
+/// One part of the status line.
+struct StatusPart {
+    std::string text;
+    bool warns = false;
+};
+/// Counts, genus, parts, watertight or not, size and selection of what is shown.
+std::vector<StatusPart> status_parts(const Display& display, const std::string& unit);
+
+/// The line at the bottom: what there is, what the mouse does or what went wrong, and how far a long job has come.
+class StatusBar : public Panel {
+public:
+    StatusBar(Session& session, int x, int y, int w, int h);
+
+    /// Shows what the session has now, and the hint where there is no message.
+    void update(const std::string& hint, const std::string& unit);
+    void update_progress();
+
+protected:
+    void arrange() override;
+    void draw() override;
+
+private:
+    Session& session_;
+    std::vector<StatusPart> parts_;
+    std::string hint_;
+    bool is_error_ = false;
+    Fl_Progress progress_;
+    Fl_Button cancel_;
+};
+
+} // namespace druse::ui

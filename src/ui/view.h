@@ -1,0 +1,108 @@
+#pragma once
+
+#include "ui/gesture.h"
+#include "ui/tool.h"
+
+#include "render/camera.h"
+#include "render/renderer.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace druse::ui {
+
+/// The 3D view without its window: camera, style, what is outlined, and what the mouse does.
+///
+/// With an operator armed that acts on clicks, the left button is its, except beside the mesh, where it turns the camera. Without
+/// one it selects.
+class View {
+public:
+    explicit View(Session& session);
+
+    std::function<void()> on_redraw;
+    std::function<void(const std::string&)> on_event; // one line for the event log
+    std::function<void(const Pointer&)> on_menu;      // a right click
+
+    const Camera& camera() const { return camera_; }
+    void resize(int width, int height);
+    void set_style(const Style& style);
+    const Style& style() const { return style_; }
+    /// What is drawn over the mesh now.
+    Overlay overlay() const;
+    std::string hint() const;
+    bool is_gesturing() const { return gesture_ != nullptr; }
+    /// True while the camera is turned, moved or zoomed by a drag.
+    bool is_moving_camera() const { return gesture_ != nullptr && !clicking_ && !box_; }
+
+    Element element() const { return element_; }
+    void set_element(Element element);
+    /// The next drag with the left button selects what is in a box.
+    void start_box_select();
+
+    // --- the camera -----------------------------------------------------------------------------------------------------
+
+    void frame_all();
+    void frame_selection();
+    void look(ViewAngles angles);
+    void set_parallel(bool on);
+    void zoom(double factor); // about the middle
+    /// Views snap at once instead of turning there.
+    void set_animated(bool on) { animated_ = on; }
+    /// Goes on with a turn of the camera; `now` in seconds. @return true while it has not arrived
+    bool animate(double now);
+    bool is_animating() const { return turn_.has_value(); }
+
+    // --- the mouse ------------------------------------------------------------------------------------------------------
+
+    void press(const Pointer& pointer);
+    void drag(const Pointer& pointer);
+    void release(const Pointer& pointer);
+    void hover(const Pointer& pointer);
+    void leave();
+    void wheel(double notches, const Pointer& pointer);
+    /// Escape: cancels what the pressed button would do. @return false if there was nothing to cancel
+    bool cancel();
+
+    /// The session's display or operator changed.
+    void session_changed();
+
+private:
+    struct Turn {
+        ViewAngles from, to;
+        double start = -1; // seconds; negative: at the next animate()
+    };
+
+    Tool& tool() { return armed_ ? *armed_ : *select_; }
+    const Tool& tool() const { return armed_ ? *armed_ : *select_; }
+    std::unique_ptr<Gesture> gesture_for(const Pointer& pointer);
+    void show_hovered(const std::optional<Target>& target);
+    void show_pressed(const std::optional<Target>& target);
+    void add_box_lines(Overlay& overlay) const;
+    void redraw();
+    void event(const std::string& line);
+
+    Session& session_;
+    Camera camera_;
+    Style style_;
+    Element element_ = Element::face;
+
+    std::unique_ptr<Tool> select_, armed_;
+    const Operator* armed_operator_ = nullptr;
+    std::unique_ptr<Gesture> gesture_;
+    Pointer pressed_at_;
+    bool clicking_ = false;           // the gesture is a tool's
+    bool box_next_ = false;
+    class BoxGesture* box_ = nullptr; // the gesture, if it is that
+    bool moved_ = false;              // the pointer left the place where it was pressed
+
+    std::optional<Target> hovered_, pressed_;
+    std::optional<Point2> pointer_;
+    std::uint64_t framed_ = 0;        // the lists' id when the camera last framed them
+
+    bool animated_ = true;
+    std::optional<Turn> turn_;
+};
+
+} // namespace druse::ui
