@@ -42,8 +42,10 @@ void GroupTable::set_colour(int id, Colour c)
         return;
     }
     const auto at = colours_.begin() + (find(id) - colours_.cbegin());
-    if (at->id == id) at->colour = c;
-    else colours_.insert(at, {id, c});
+    if (at->id == id)
+        at->colour = c;
+    else
+        colours_.insert(at, {id, c});
 }
 
 void GroupTable::set_default_colour(int id)
@@ -53,8 +55,10 @@ void GroupTable::set_default_colour(int id)
 
 void GroupTable::set_name(int id, std::string name)
 {
-    if (name.empty()) names_.erase(id);
-    else names_[id] = std::move(name);
+    if (name.empty())
+        names_.erase(id);
+    else
+        names_[id] = std::move(name);
 }
 
 void GroupTable::forget(int id)

@@ -11,7 +11,8 @@ namespace druse {
 
 void MeshAssembler::add_corner(std::uint32_t vertex)
 {
-    if (vertex >= positions_.size()) throw CommandError(fmt::format("corner names vertex {}, there are {}", vertex, positions_.size()));
+    if (vertex >= positions_.size())
+        throw CommandError(fmt::format("corner names vertex {}, there are {}", vertex, positions_.size()));
     vertex_.push_back(Vertex(vertex));
     next_.push_back(Corner());
     previous_.push_back(Corner());
@@ -23,7 +24,8 @@ void MeshAssembler::add_edge(std::uint32_t c1, std::uint32_t c2)
 {
     for (const std::uint32_t c : {c1, c2}) {
         if (c >= vertex_.size()) throw CommandError(fmt::format("edge names corner {}, there are {}", c, vertex_.size()));
-        if (edge_[c].valid()) throw CommandError(fmt::format("edge names corner {}, which is in edge {} already", c, edge_[c].index));
+        if (edge_[c].valid())
+            throw CommandError(fmt::format("edge names corner {}, which is in edge {} already", c, edge_[c].index));
     }
     if (c1 == c2) throw CommandError(fmt::format("edge names corner {} twice", c1));
     edge_.set(c1, Edge(edges_.size()));
@@ -34,7 +36,8 @@ void MeshAssembler::add_edge(std::uint32_t c1, std::uint32_t c2)
 void MeshAssembler::add_to_face(std::uint32_t corner)
 {
     if (corner >= vertex_.size()) throw CommandError(fmt::format("face names corner {}, there are {}", corner, vertex_.size()));
-    if (face_[corner].valid()) throw CommandError(fmt::format("face names corner {}, which is in face {} already", corner, face_[corner].index));
+    if (face_[corner].valid())
+        throw CommandError(fmt::format("face names corner {}, which is in face {} already", corner, face_[corner].index));
     const Corner c(corner);
     if (last_.valid()) {
         next_.set(last_.index, c);
@@ -92,9 +95,11 @@ void MeshAssembler::check_sides() const
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
         const auto [a, b] = edges_[e];
         if (vertex_[a.index] != vertex_[next_[b.index].index] || vertex_[b.index] != vertex_[next_[a.index].index])
-            throw CommandError(fmt::format("the sides at corners {} and {} do not run against each other, as edge {} says", a.index, b.index, e));
+            throw CommandError(fmt::format("the sides at corners {} and {} do not run against each other, as edge {} says",
+                                           a.index, b.index, e));
         if (is_open(a.index) && is_open(b.index))
-            throw CommandError(fmt::format("edge {} lies between the open faces {} and {}", e, face_[a.index].index, face_[b.index].index));
+            throw CommandError(
+                fmt::format("edge {} lies between the open faces {} and {}", e, face_[a.index].index, face_[b.index].index));
     }
 }
 

@@ -9,11 +9,11 @@
 
 namespace druse {
 
-/// Builds a mesh from a list of corners, the pairs of them that are edges, and the cycles of them that are faces: all that MeshBuilder
-/// cannot see in polygons alone, as parallel edges, 2-gons and loops.
+/// Builds a mesh from a list of corners, the pairs of them that are edges, and the cycles of them that are faces: all that
+/// MeshBuilder cannot see in polygons alone, as parallel edges, 2-gons and loops.
 ///
-/// Vertices, corners, edges and faces are numbered from 0 as they are added. Each function tells with a CommandError what contradicts
-/// what was added before; the rest is checked when everything is there.
+/// Vertices, corners, edges and faces are numbered from 0 as they are added. Each function tells with a CommandError what
+/// contradicts what was added before; the rest is checked when everything is there.
 class MeshAssembler {
 public:
     void add_vertex(const Point& p) { positions_.push_back(p); } // precondition: finite
@@ -33,9 +33,9 @@ public:
 
     /// The mesh; `groups` has an id for each face added, open ones included.
     ///
-    /// Faces, vertices and corners keep their order, edges are numbered as the faces first use them. Sides without an edge are closed by
-    /// boundary faces, a vertex with several rotations is split, one without a corner left out: `repairs` counts them. Cost: linear.
-    /// Empties the assembler.
+    /// Faces, vertices and corners keep their order, edges are numbered as the faces first use them. Sides without an edge are
+    /// closed by boundary faces, a vertex with several rotations is split, one without a corner left out: `repairs` counts them.
+    /// Cost: linear. Empties the assembler.
     Mesh assemble(std::span<const std::int32_t> groups, Repairs& repairs);
 
 private:
@@ -54,7 +54,7 @@ private:
     Column<std::array<Corner, 2>> edges_;
     std::vector<Corner> start_; // of each face
     std::vector<bool> open_;
-    Corner last_;               // of the face under construction
+    Corner last_; // of the face under construction
 };
 
 } // namespace druse

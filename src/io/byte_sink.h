@@ -46,8 +46,7 @@ public:
 private:
     static constexpr std::size_t capacity = std::size_t(1) << 20;
 
-    template <class T>
-    void put_shortest(T number)
+    template <class T> void put_shortest(T number)
     {
         char* const at = room(32);
         use(static_cast<std::size_t>(std::to_chars(at, at + 32, number).ptr - at));

@@ -23,7 +23,8 @@ ByteSource ByteSource::file(const std::filesystem::path& path)
         throw InputError(source.name_, errno == ENOENT ? "no such file" : std::string("cannot be read: ") + std::strerror(errno));
     source.owned_ = true;
     struct stat status {};
-    if (fstat(source.descriptor_, &status) != 0) throw InputError(source.name_, std::string("cannot be read: ") + std::strerror(errno));
+    if (fstat(source.descriptor_, &status) != 0)
+        throw InputError(source.name_, std::string("cannot be read: ") + std::strerror(errno));
     if (S_ISDIR(status.st_mode)) throw InputError(source.name_, "is a folder, not a file");
     if (S_ISREG(status.st_mode)) source.size_ = static_cast<std::uint64_t>(status.st_size);
     return source;
@@ -48,8 +49,9 @@ ByteSource ByteSource::memory(std::string_view bytes, const std::filesystem::pat
 }
 
 ByteSource::ByteSource(ByteSource&& other) noexcept
-    : name_(std::move(other.name_)), path_(std::move(other.path_)), size_(other.size_), descriptor_(std::exchange(other.descriptor_, -1)),
-      owned_(std::exchange(other.owned_, false)), memory_(other.memory_), head_(std::move(other.head_)), head_used_(other.head_used_)
+    : name_(std::move(other.name_)), path_(std::move(other.path_)), size_(other.size_),
+      descriptor_(std::exchange(other.descriptor_, -1)), owned_(std::exchange(other.owned_, false)), memory_(other.memory_),
+      head_(std::move(other.head_)), head_used_(other.head_used_)
 {
 }
 
@@ -88,8 +90,10 @@ std::size_t ByteSource::read_on(char* into, std::size_t room)
     while (filled < room) {
         const ssize_t count = ::read(descriptor_, into + filled, room - filled);
         if (count == 0) break;
-        if (count > 0) filled += static_cast<std::size_t>(count);
-        else if (errno != EINTR) throw InputError(name_, std::string("cannot be read: ") + std::strerror(errno));
+        if (count > 0)
+            filled += static_cast<std::size_t>(count);
+        else if (errno != EINTR)
+            throw InputError(name_, std::string("cannot be read: ") + std::strerror(errno));
     }
     return filled;
 }

@@ -11,8 +11,8 @@ namespace druse {
 /// as in OBJ, unless group ids follow after TopMod's part. Throws InputError where the lists contradict each other.
 Model read_dlfl(ByteSource& source);
 
-/// Writes `.dlfl` so that TopMod reads it, followed by what is ours: `druse 1`, `g` with the group id of each face, and `open` with
-/// the faces that stand for an open boundary.
+/// Writes `.dlfl` so that TopMod reads it, followed by what is ours: `druse 1`, `g` with the group id of each face, and `open`
+/// with the faces that stand for an open boundary.
 void write_dlfl(const ModelView& model, OutputFiles& out);
 
 } // namespace druse

@@ -74,7 +74,8 @@ std::uint32_t DlflReader::index(const char*& p, const char* what)
 {
     std::int64_t value = 0;
     const char* const after = scan::integer(p, value);
-    if (!after || !scan::ends_word(*after)) fail(fmt::format("expected the number of a {}, found {}", what, scan::quoted_word(p)));
+    if (!after || !scan::ends_word(*after))
+        fail(fmt::format("expected the number of a {}, found {}", what, scan::quoted_word(p)));
     if (value < 0 || value > std::numeric_limits<std::int32_t>::max()) fail(fmt::format("there is no {} {}", what, value));
     p = after;
     while (scan::is_blank(*p)) ++p;
@@ -88,7 +89,8 @@ void DlflReader::vertex(const char* p)
     for (int i = 0; i < 3; ++i) {
         const char* const after = scan::number(p, at[i]);
         if (!after || !scan::ends_word(*after)) fail("expected a number, found " + scan::quoted_word(p));
-        if (!(std::abs(at[i]) <= largest_coordinate)) fail(fmt::format("coordinate {}: expected at most {} in size", at[i], largest_coordinate));
+        if (!(std::abs(at[i]) <= largest_coordinate))
+            fail(fmt::format("coordinate {}: expected at most {} in size", at[i], largest_coordinate));
         p = after;
         while (scan::is_blank(*p)) ++p;
     }
@@ -130,7 +132,8 @@ void DlflReader::extension(const char* p)
     } else if (take(p, "g")) {
         has_groups_ = true;
         while (*p != '\n') groups_.push_back(static_cast<std::int32_t>(index(p, "group")));
-        if (groups_.size() > assembler_.face_count()) fail(fmt::format("more groups than faces; the file has {}", assembler_.face_count()));
+        if (groups_.size() > assembler_.face_count())
+            fail(fmt::format("more groups than faces; the file has {}", assembler_.face_count()));
     } else if (take(p, "open")) {
         while (*p != '\n') assembler_.mark_open(index(p, "face"));
     } else if (take(p, "rind")) {
@@ -162,11 +165,21 @@ void DlflReader::line(const char* p)
         if (!take(p, "mtllib")) fail("expected 'mtllib' or '#', found " + scan::quoted_word(p));
         library_ = rest_of_line(p);
         break;
-    case Part::vertices: vertex(p); break;
-    case Part::corners: corner(p); break;
-    case Part::edges: edge(p); break;
-    case Part::faces: face(p); break;
-    case Part::extension: extension(p); break;
+    case Part::vertices:
+        vertex(p);
+        break;
+    case Part::corners:
+        corner(p);
+        break;
+    case Part::edges:
+        edge(p);
+        break;
+    case Part::faces:
+        face(p);
+        break;
+    case Part::extension:
+        extension(p);
+        break;
     }
 }
 
@@ -208,7 +221,8 @@ Model DlflReader::read()
 void DlflReader::make_groups(Model& model)
 {
     Materials materials;
-    if (!library_.empty()) materials.read_library(source_, library_, model.notes);
+    if (!library_.empty()) materials.read_library(source_, library_);
+    if (std::string missing = materials.missing_files(); !missing.empty()) model.notes.push_back(std::move(missing));
     if (has_groups_) {
         paints_.colour_groups(face_paints_, groups_, materials, model.groups);
     } else {

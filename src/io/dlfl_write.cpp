@@ -15,7 +15,9 @@ namespace {
 
 class DlflWriter {
 public:
-    DlflWriter(const ModelView& model, OutputFiles& out) : mesh_(model.mesh), groups_(model.groups), out_(out), sink_(out.main()) {}
+    DlflWriter(const ModelView& model, OutputFiles& out) : mesh_(model.mesh), groups_(model.groups), out_(out), sink_(out.main())
+    {
+    }
     void write();
 
 private:
@@ -35,7 +37,8 @@ void DlflWriter::put_corners(Face f)
 {
     const Vector normal = unit_normal(mesh_, f);
     std::array<char, 96> text;
-    const char* const end = fmt::format_to(text.data(), " [{:.6f} {:.6f} {:.6f}] [0.000000 0.000000] \n", normal.x, normal.y, normal.z);
+    const char* const end =
+        fmt::format_to(text.data(), " [{:.6f} {:.6f} {:.6f}] [0.000000 0.000000] \n", normal.x, normal.y, normal.z);
     for (const Corner c : mesh_.corners(f)) {
         number_[c.index] = corners_++;
         sink_.put("fv ");
@@ -126,8 +129,9 @@ void write_dlfl(const ModelView& model, OutputFiles& out)
 {
     ASSERT(!model.mesh.has_holes(), "a mesh without holes");
     if (model.mesh.face_count() == 0)
-        throw InputError(out.name(), model.graph && !model.graph->edges.empty() ? "the document holds a graph and no faces; DLFL holds only faces"
-                                                                                : "the document holds no faces");
+        throw InputError(out.name(), model.graph && !model.graph->edges.empty()
+                                         ? "the document holds a graph and no faces; DLFL holds only faces"
+                                         : "the document holds no faces");
     DlflWriter(model, out).write();
 }
 

@@ -8,8 +8,8 @@
 namespace druse {
 
 /// The vertices that a format with index lists needs inside edges: one in all but one of the edges that join the same two
-/// vertices, two in a loop, and one in an edge that is a whole component, whose face would have but two corners. Only the file has
-/// them, numbered after the mesh's own.
+/// vertices, two in a loop, and one in an edge that is a whole component, whose face would have but two corners. Only the file
+/// has them, numbered after the mesh's own.
 class EdgeSplits {
 public:
     /// Cost: O(edges).
@@ -22,8 +22,7 @@ public:
     const std::vector<Point>& added() const { return added_; }
 
     /// Calls `f` with the number of each vertex along the side that starts at `c`, in its direction.
-    template <class F>
-    void along(const Mesh& mesh, Corner c, F&& f) const
+    template <class F> void along(const Mesh& mesh, Corner c, F&& f) const
     {
         const Edge e = mesh.edge(c);
         if (empty() || !e.valid() || first_[e.index] == 0) return;

@@ -55,7 +55,8 @@ void FacePaints::colour_groups(std::span<const std::int32_t> faces, std::span<co
     for (std::size_t f = 0; f < faces.size(); ++f) {
         if (f > 0 && ids[f] == ids[f - 1]) continue;
         if (!met.insert(ids[f]).second) continue;
-        if (const Material* material = materials.find(paints_[static_cast<std::size_t>(faces[f])].material)) describe(ids[f], *material, groups);
+        if (const Material* material = materials.find(paints_[static_cast<std::size_t>(faces[f])].material))
+            describe(ids[f], *material, groups);
     }
 }
 
@@ -101,8 +102,8 @@ bool FacePaints::to_groups(std::span<std::int32_t> faces, const Materials& mater
     return true;
 }
 
-void groups_from_vertex_colours(std::span<const Vertex> corners, std::span<const std::uint32_t> ends, std::span<const Vector> colours,
-                                std::span<std::int32_t> faces, GroupTable& groups)
+void groups_from_vertex_colours(std::span<const Vertex> corners, std::span<const std::uint32_t> ends,
+                                std::span<const Vector> colours, std::span<std::int32_t> faces, GroupTable& groups)
 {
     const auto channel = [](double x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0, 1.0) * 255.0 + 0.5); };
     ColourNumbers numbers;

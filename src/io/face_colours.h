@@ -17,7 +17,8 @@ namespace druse {
 
 /// Numbers colours 1, 2, … in the order in which they are first met.
 ///
-/// The table is a cube of cubes, made where colours lie: similar colours, as neighbouring faces have them, are neighbours in memory.
+/// The table is a cube of cubes, made where colours lie: similar colours, as neighbouring faces have them, are neighbours in
+/// memory.
 class ColourNumbers {
 public:
     int number(Colour c)
@@ -45,9 +46,9 @@ private:
 
 /// What a file says about the colours of its faces, and the groups that follow from it.
 ///
-/// While reading, each face carries the number of its *paint*: 0 for none, else a material or a colour. At the end to_groups() makes
-/// group ids of them. If all materials are called `group_<id>` they are the ids; otherwise faces of one colour are one group.
-/// Source: Landreneau 2005, IV.4, for finding common colours.
+/// While reading, each face carries the number of its *paint*: 0 for none, else a material or a colour. At the end to_groups()
+/// makes group ids of them. If all materials are called `group_<id>` they are the ids; otherwise faces of one colour are one
+/// group. Source: Landreneau 2005, IV.4, for finding common colours.
 class FacePaints {
 public:
     std::int32_t material(std::string_view name); // an empty name: no paint
@@ -72,10 +73,10 @@ private:
     std::map<Colour, std::int32_t> by_colour_;
 };
 
-/// Groups from the colours of vertices: a face has the mean of its corners' colours, rounded to 8 bits a channel, if all of them have
-/// one (the first channel is a number). Equal colours are a group, numbered as first met.
+/// Groups from the colours of vertices: a face has the mean of its corners' colours, rounded to 8 bits a channel, if all of them
+/// have one (the first channel is a number). Equal colours are a group, numbered as first met.
 /// @param corners the vertices of the faces, face after face; `ends` one past the last corner of each
-void groups_from_vertex_colours(std::span<const Vertex> corners, std::span<const std::uint32_t> ends, std::span<const Vector> colours,
-                                std::span<std::int32_t> faces, GroupTable& groups);
+void groups_from_vertex_colours(std::span<const Vertex> corners, std::span<const std::uint32_t> ends,
+                                std::span<const Vector> colours, std::span<std::int32_t> faces, GroupTable& groups);
 
 } // namespace druse

@@ -27,11 +27,17 @@ std::string extensions()
     return text;
 }
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
+char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+}
 
 } // namespace
 
-std::span<const Format> formats() { return all_formats; }
+std::span<const Format> formats()
+{
+    return all_formats;
+}
 
 const Format& format_named(std::string_view name, const std::string& where)
 {
@@ -45,7 +51,8 @@ const Format& format_named(std::string_view name, const std::string& where)
 const Format& format_of(const std::filesystem::path& path)
 {
     const std::string extension = path.extension().string();
-    if (extension.size() < 2) throw InputError(path.string(), fmt::format("a name without a format; expected one that ends in {}", extensions()));
+    if (extension.size() < 2)
+        throw InputError(path.string(), fmt::format("a name without a format; expected one that ends in {}", extensions()));
     return format_named(std::string_view(extension).substr(1), path.string());
 }
 

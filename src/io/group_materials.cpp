@@ -21,7 +21,8 @@ std::vector<int> groups_in_use(const Mesh& mesh)
 std::string write_group_materials(const GroupTable& groups, const std::vector<int>& used, OutputFiles& out)
 {
     if (used.empty()) return {};
-    if (out.stem().find('\n') != std::string::npos) throw InputError(out.name(), "a name with a line break, which the file cannot hold");
+    if (out.stem().find('\n') != std::string::npos)
+        throw InputError(out.name(), "a name with a line break, which the file cannot hold");
     ByteSink* const sink = out.side_file("mtl");
     if (!sink) {
         out.note("group colours and names are not saved: there is no place for a .mtl file");

@@ -30,7 +30,7 @@ bool take_word(std::string_view& line, std::string_view word)
 
 } // namespace
 
-void Materials::read_library(const ByteSource& model, std::string_view names, std::vector<std::string>& notes)
+void Materials::read_library(const ByteSource& model, std::string_view names)
 {
     const auto read_if_there = [&](std::string_view name) {
         const auto path = model.find_side_file(std::string(name));
@@ -45,7 +45,7 @@ void Materials::read_library(const ByteSource& model, std::string_view names, st
         std::size_t length = 0;
         while (length < names.size() && !scan::is_blank(names[length])) ++length;
         const std::string_view name = names.substr(0, length);
-        if (name.size() == all.size() || !read_if_there(name)) notes.push_back(fmt::format("{} is not there: its colours are unknown", name));
+        if (name.size() == all.size() || !read_if_there(name)) missing_.emplace_back(name);
         while (length < names.size() && scan::is_blank(names[length])) ++length;
         names.remove_prefix(length);
     }
@@ -80,7 +80,8 @@ void Materials::read(ByteSource& file)
                     }
                     const char* after = scan::number(at, channel[i]);
                     if (!after || !scan::ends_word(*after))
-                        throw InputError(file.name(), line_number, fmt::format("Kd: expected a number, found {}", scan::quoted_word(at)));
+                        throw InputError(file.name(), line_number,
+                                         fmt::format("Kd: expected a number, found {}", scan::quoted_word(at)));
                     at = after;
                 }
                 current->colour = colour_from_unit(channel[0], channel[1], channel[2]);
@@ -90,13 +91,24 @@ void Materials::read(ByteSource& file)
         }
 }
 
+std::string Materials::missing_files() const
+{
+    if (missing_.empty()) return {};
+    if (missing_.size() == 1) return fmt::format("{} is not there: its colours are unknown", missing_[0]);
+    return fmt::format("{} and {} more .mtl file{} are not there: their colours are unknown", missing_[0], missing_.size() - 1,
+                       missing_.size() == 2 ? "" : "s");
+}
+
 const Material* Materials::find(std::string_view name) const
 {
     const auto found = by_name_.find(name);
     return found == by_name_.end() ? nullptr : &found->second;
 }
 
-std::string material_of_group(int id) { return fmt::format("group_{}", id); }
+std::string material_of_group(int id)
+{
+    return fmt::format("group_{}", id);
+}
 
 std::optional<int> group_of_material(std::string_view name)
 {

@@ -26,16 +26,20 @@ struct NameHash {
 /// The materials of the .mtl files that a model names.
 class Materials {
 public:
-    /// Reads the files named after `mtllib`: one name with blanks in it, if there is such a file, or else several names. What is
-    /// not there gives a note. Throws InputError for a number that is none.
-    void read_library(const ByteSource& model, std::string_view names, std::vector<std::string>& notes);
+    /// Reads the files named after `mtllib`: one name with blanks in it, if there is such a file, or else several names.
+    /// Throws InputError for a number that is none.
+    void read_library(const ByteSource& model, std::string_view names);
     /// Reads one file.
     void read(ByteSource& file);
 
     const Material* find(std::string_view name) const;
 
+    /// Says which of the files named were not there; empty if all were.
+    std::string missing_files() const;
+
 private:
     std::unordered_map<std::string, Material, NameHash, std::equal_to<>> by_name_;
+    std::vector<std::string> missing_;
 };
 
 /// `group_<id>`, the material of a group as our own writers call it.

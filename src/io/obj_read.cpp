@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <set>
 
 namespace druse {
 
@@ -78,7 +79,8 @@ private:
     FacePaints paints_;
     std::int32_t paint_ = 0;
     std::vector<std::string> libraries_;
-    Column<Vector> vertex_colours_; // as long as there are vertices, or empty; no number where a vertex has none
+    std::set<std::string> libraries_met_; // some writers name theirs before every object
+    Column<Vector> vertex_colours_;       // as long as there are vertices, or empty; no number where a vertex has none
     double brightest_ = 0;
 
     std::vector<std::uint32_t> polygon_;
@@ -114,10 +116,13 @@ const char* ObjReader::vertex(const char* p)
     if (n != 3 && n != 4 && n != 6 && n != 7)
         fail(fmt::format("a vertex with {} numbers; expected x y z, an optional w, and an optional colour r g b", n));
     for (int i = 0; i < 3; ++i)
-        if (!(std::abs(x[i]) <= largest_coordinate)) fail(fmt::format("coordinate {}: expected at most {} in size", x[i], largest_coordinate));
+        if (!(std::abs(x[i]) <= largest_coordinate))
+            fail(fmt::format("coordinate {}: expected at most {} in size", x[i], largest_coordinate));
     builder_.add_vertex({x[0], x[1], x[2]});
-    if (n >= 6) keep_vertex_colour(x + n - 3);
-    else if (vertex_colours_.size() > 0) vertex_colours_.push_back(Vector(std::numeric_limits<double>::quiet_NaN()));
+    if (n >= 6)
+        keep_vertex_colour(x + n - 3);
+    else if (vertex_colours_.size() > 0)
+        vertex_colours_.push_back(Vector(std::numeric_limits<double>::quiet_NaN()));
     return p;
 }
 
@@ -198,8 +203,10 @@ const char* ObjReader::polyline(const char* p)
     std::uint32_t before = 0, v = 0;
     for (p = scan::skip_blanks(p, line_); *p != '\n' && *p != '#'; p = scan::skip_blanks(p, line_)) {
         p = corner(p, v);
-        if (entries > 0 && v == before) ++standing_lines_;
-        else if (entries > 0) lines_.push_back({before, v});
+        if (entries > 0 && v == before)
+            ++standing_lines_;
+        else if (entries > 0)
+            lines_.push_back({before, v});
         before = v;
         if (entries < 2) ++entries;
     }
@@ -241,8 +248,8 @@ const char* ObjReader::other(const char* p)
     } else if (word == "usemtl") {
         paint_ = paints_.material(rest_of_line(end));
     } else if (word == "mtllib") {
-        const std::string names(rest_of_line(end));
-        if (!names.empty() && std::find(libraries_.begin(), libraries_.end(), names) == libraries_.end()) libraries_.push_back(names);
+        if (const std::string_view names = rest_of_line(end); !names.empty() && libraries_met_.emplace(names).second)
+            libraries_.emplace_back(names);
     } else if (word != "o" && word != "g" && word != "s" && word != "vp") {
         if (unknown_++ == 0) first_unknown_ = fmt::format("{} in line {}", scan::quoted_word(p), line_);
     }
@@ -256,12 +263,23 @@ void ObjReader::read_block(const char* p, const char* const end)
         p = scan::skip_blanks(p, line_);
         const bool keyword_of_one = *p == '\n' || scan::ends_word(p[1]) || p[1] == '\\';
         switch (keyword_of_one ? *p : '?') {
-        case 'v': p = vertex(p + 1); break;
-        case 'f': p = face(p + 1); break;
-        case 'l': p = polyline(p + 1); break;
-        case 'p': p = points(p + 1); break;
-        case 'c': p = colour(p + 1); break;
-        case '\n': break;
+        case 'v':
+            p = vertex(p + 1);
+            break;
+        case 'f':
+            p = face(p + 1);
+            break;
+        case 'l':
+            p = polyline(p + 1);
+            break;
+        case 'p':
+            p = points(p + 1);
+            break;
+        case 'c':
+            p = colour(p + 1);
+            break;
+        case '\n':
+            break;
         default:
             if (*p != '#') p = other(p);
         }
@@ -299,9 +317,11 @@ Model ObjReader::read()
 
     Model model;
     if (unknown_ > 0)
-        model.notes.push_back(fmt::format("{} line{} passed over, first {}", unknown_, unknown_ == 1 ? " was" : "s were", first_unknown_));
+        model.notes.push_back(
+            fmt::format("{} line{} passed over, first {}", unknown_, unknown_ == 1 ? " was" : "s were", first_unknown_));
     if (standing_lines_ > 0)
-        model.notes.push_back(fmt::format("{} line{} from a point to itself: left out", standing_lines_, standing_lines_ == 1 ? " goes" : "s go"));
+        model.notes.push_back(
+            fmt::format("{} line{} from a point to itself: left out", standing_lines_, standing_lines_ == 1 ? " goes" : "s go"));
     make_groups(model);
     if (!lines_.empty()) make_graph(model);
 
@@ -324,13 +344,15 @@ Model ObjReader::read()
 void ObjReader::check_announced(const Announced& announced, std::int64_t count, const char* what) const
 {
     if (const auto* record = announced.first_beyond(count))
-        throw InputError(source_.name(), record->line, fmt::format("face names {} {}, the file has {}", what, record->number, count));
+        throw InputError(source_.name(), record->line,
+                         fmt::format("face names {} {}, the file has {}", what, record->number, count));
 }
 
 void ObjReader::make_groups(Model& model)
 {
     Materials materials;
-    for (const std::string& names : libraries_) materials.read_library(source_, names, model.notes);
+    for (const std::string& names : libraries_) materials.read_library(source_, names);
+    if (std::string missing = materials.missing_files(); !missing.empty()) model.notes.push_back(std::move(missing));
     if (paints_.to_groups(builder_.groups(), materials, model.groups) || vertex_colours_.size() == 0) return;
     if (brightest_ > 1) {
         for (std::uint32_t v = 0; v < vertex_colours_.size(); ++v) vertex_colours_.set(v, vertex_colours_[v] / 255.0);

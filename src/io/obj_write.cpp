@@ -66,7 +66,8 @@ void write_obj(const ModelView& model, OutputFiles& out)
     ASSERT(!mesh.has_holes(), "a mesh without holes");
     ByteSink& sink = out.main();
     if (mesh.face_count() == 0) {
-        if (!model.graph || model.graph->edges.empty()) throw InputError(out.name(), "the document holds no faces and no graph to write");
+        if (!model.graph || model.graph->edges.empty())
+            throw InputError(out.name(), "the document holds no faces and no graph to write");
         write_graph(*model.graph, sink);
         return;
     }

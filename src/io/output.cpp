@@ -82,10 +82,10 @@ private:
     void make_beside(mode_t permissions, bool exists);
     void make_anywhere();
 
-    std::string name_;             // what errors call it
-    fs::path place_, temporary_;   // the place is the target with links followed
+    std::string name_;           // what errors call it
+    fs::path place_, temporary_; // the place is the target with links followed
     int descriptor_ = -1;
-    bool stream_ = false;          // the bytes are copied, not renamed
+    bool stream_ = false; // the bytes are copied, not renamed
     std::optional<ByteSink> sink_;
 };
 
@@ -104,8 +104,10 @@ OutputSet::File::File(const fs::path& target) : name_(target == "-" ? "standard 
         stream_ = exists && !S_ISREG(status.st_mode);
         if (exists && access(place_.c_str(), W_OK) != 0) fail(name_, "cannot be written");
     }
-    if (stream_) make_anywhere();
-    else make_beside(status.st_mode & 07777, exists);
+    if (stream_)
+        make_anywhere();
+    else
+        make_beside(status.st_mode & 07777, exists);
     sink_.emplace(descriptor_, name_);
 }
 
@@ -188,8 +190,9 @@ void OutputSet::write(const ModelView& model, const fs::path& target, const Writ
 {
     const bool to_standard_output = target == "-";
     if (to_standard_output && options.format.empty()) throw InputError("standard output", "needs --format");
-    const Format& format = options.format.empty() ? format_of(target)
-                                                  : format_named(options.format, to_standard_output ? "standard output" : target.string());
+    const Format& format = options.format.empty()
+                               ? format_of(target)
+                               : format_named(options.format, to_standard_output ? "standard output" : target.string());
     const std::size_t before = files_.size();
     try {
         File& file = add(target);
@@ -206,7 +209,10 @@ void OutputSet::write(const ModelView& model, const fs::path& target, const Writ
     }
 }
 
-ByteSink& OutputSet::open(const fs::path& target) { return add(target).sink(); }
+ByteSink& OutputSet::open(const fs::path& target)
+{
+    return add(target).sink();
+}
 
 void OutputSet::commit()
 {

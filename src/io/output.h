@@ -17,9 +17,10 @@ struct WriteOptions {
 
 /// Files that appear together or not at all.
 ///
-/// Everything is written to temporary files beside the targets at once, so that the model may change afterwards; commit() puts them in
-/// place of the targets, and an OutputSet that ends without it takes them away again. A target that exists keeps its permissions; a
-/// link stays a link and the file it leads to is replaced. Standard output and devices get their bytes at commit().
+/// Everything is written to temporary files beside the targets at once, so that the model may change afterwards; commit() puts
+/// them in place of the targets, and an OutputSet that ends without it takes them away again. A target that exists keeps its
+/// permissions; a link stays a link and the file it leads to is replaced. Standard output and devices get their bytes at
+/// commit().
 class OutputSet {
 public:
     OutputSet();
@@ -27,15 +28,16 @@ public:
     OutputSet& operator=(const OutputSet&) = delete;
     ~OutputSet();
 
-    /// Writes a model; `-` is standard output and needs a format. On an error this target is dropped, and commit() must not follow.
+    /// Writes a model; `-` is standard output and needs a format. On an error this target is dropped, and commit() must not
+    /// follow.
     /// @throws InputError that names the target: an unknown format, no folder to write to, nothing to write, no space
     void write(const ModelView& model, const std::filesystem::path& target, const WriteOptions& options = {});
 
     /// A file for the caller to fill, until commit().
     ByteSink& open(const std::filesystem::path& target);
 
-    /// Puts everything in place, in the order written. Throws InputError, before the first target is touched if it can be known by
-    /// then.
+    /// Puts everything in place, in the order written. Throws InputError, before the first target is touched if it can be known
+    /// by then.
     void commit();
 
     /// What writers have to say, in order: `groups are not saved in STL`.

@@ -17,7 +17,8 @@ public:
     std::uint32_t vertex(const Point& p)
     {
         // Adding 0 makes −0 of the same bits as 0.
-        const std::array<float, 3> place{static_cast<float>(p.x) + 0.0f, static_cast<float>(p.y) + 0.0f, static_cast<float>(p.z) + 0.0f};
+        const std::array<float, 3> place{static_cast<float>(p.x) + 0.0f, static_cast<float>(p.y) + 0.0f,
+                                         static_cast<float>(p.z) + 0.0f};
         std::uint32_t at = slot_of(place);
         while (slots_[at].vertex != Vertex::none) {
             if (slots_[at].place == place) return slots_[at].vertex;

@@ -1,8 +1,8 @@
 #pragma once
 
 // Words and numbers off lines of text. All functions take a place in a text whose every line ends in '\n' and stop there at the
-// latest; none allocates. They sit in the innermost loop of every reader of text, and look at eight bytes at once: as many must be
-// readable from any place in the text on.
+// latest; none allocates. They sit in the innermost loop of every reader of text, and look at eight bytes at once: as many must
+// be readable from any place in the text on.
 
 #include <bit>
 #include <cstdint>
@@ -11,10 +11,22 @@
 
 namespace druse::scan {
 
-inline bool is_one_of(std::uint64_t set, char c) { return static_cast<unsigned char>(c) < 64 && (set >> c & 1) != 0; }
-inline bool is_blank(char c) { return is_one_of(1ull << ' ' | 1ull << '\t' | 1ull << '\r' | 1ull << '\v' | 1ull << '\f', c); }
-inline bool ends_word(char c) { return c == '\n' || is_blank(c); }
-inline bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
+inline bool is_one_of(std::uint64_t set, char c)
+{
+    return static_cast<unsigned char>(c) < 64 && (set >> c & 1) != 0;
+}
+inline bool is_blank(char c)
+{
+    return is_one_of(1ull << ' ' | 1ull << '\t' | 1ull << '\r' | 1ull << '\v' | 1ull << '\f', c);
+}
+inline bool ends_word(char c)
+{
+    return c == '\n' || is_blank(c);
+}
+inline bool is_digit(char c)
+{
+    return static_cast<unsigned char>(c - '0') < 10;
+}
 
 /// The next place that is no blank. A backslash before a line break is one; `line` counts the break.
 inline const char* skip_blanks(const char* p, long& line)
@@ -64,8 +76,8 @@ bool number_in_full(const char* begin, const char* end, double& value);
 
 /// Reads a decimal number, rounded correctly; null if there is none, if it is not finite, or too large for a double.
 ///
-/// Up to 2^53 in the digits and 10^22 beside them, both are exact in a double, and so is one division or multiplication but for its
-/// own rounding (Clinger, *How to read floating point numbers accurately*, 1990). Others take the long way.
+/// Up to 2^53 in the digits and 10^22 beside them, both are exact in a double, and so is one division or multiplication but for
+/// its own rounding (Clinger, *How to read floating point numbers accurately*, 1990). Others take the long way.
 inline const char* number(const char* p, double& value)
 {
     static constexpr double power[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,

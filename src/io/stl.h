@@ -6,10 +6,10 @@
 
 namespace druse {
 
-/// Reads STL, binary or ASCII, whatever its header claims to be. Corners at exactly the same place become one vertex; facets that have
-/// fewer than three places are left out; normals and attribute bytes are passed over. ASCII loops may have any number of corners.
-/// Throws InputError for a file that ends early, or a coordinate that is no number, with the line or the triangle.
-/// Cost: linear, in blocks of a megabyte.
+/// Reads STL, binary or ASCII, whatever its header claims to be. Corners at exactly the same place become one vertex; facets that
+/// have fewer than three places are left out; normals and attribute bytes are passed over. ASCII loops may have any number of
+/// corners. Throws InputError for a file that ends early, or a coordinate that is no number, with the line or the triangle. Cost:
+/// linear, in blocks of a megabyte.
 Model read_stl(ByteSource& source);
 
 /// Writes STL: binary, or ASCII if wanted. Faces are cut into triangles (Triangulator), positions rounded to single precision,

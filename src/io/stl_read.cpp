@@ -38,7 +38,8 @@ std::uint32_t promised_triangles(std::string_view head)
 bool is_ascii(ByteSource& source)
 {
     std::string_view head = source.head(512);
-    if (head.size() >= header_size && source.size() == header_size + record_size * std::uint64_t(promised_triangles(head))) return false;
+    if (head.size() >= header_size && source.size() == header_size + record_size * std::uint64_t(promised_triangles(head)))
+        return false;
     if (head.find('\0') != std::string_view::npos) return false;
     while (!head.empty() && (head.front() == '\n' || scan::is_blank(head.front()))) head.remove_prefix(1);
     return head.size() >= 5 && equal_ignoring_case(head.substr(0, 5), "solid");
@@ -49,8 +50,10 @@ public:
     explicit StlReader(ByteSource& source) : source_(source) {}
     Model read()
     {
-        if (is_ascii(source_)) read_ascii();
-        else read_binary();
+        if (is_ascii(source_))
+            read_ascii();
+        else
+            read_binary();
         return finish();
     }
 
@@ -82,13 +85,15 @@ void StlReader::add_corner(const Point& p)
 void StlReader::end_facet()
 {
     builder_.end_face();
-    if (builder_.corner_count() > most_elements) throw InputError(source_.name(), fmt::format("more than {} corners", most_elements));
+    if (builder_.corner_count() > most_elements)
+        throw InputError(source_.name(), fmt::format("more than {} corners", most_elements));
 }
 
 void StlReader::read_binary()
 {
     char header[header_size];
-    if (source_.read(header, header_size) < header_size) throw InputError(source_.name(), "is no STL file: shorter than the header of one");
+    if (source_.read(header, header_size) < header_size)
+        throw InputError(source_.name(), "is no STL file: shorter than the header of one");
     const std::uint32_t promised = promised_triangles({header, header_size});
 
     constexpr std::size_t block = 20000 * record_size;
@@ -102,13 +107,14 @@ void StlReader::read_binary()
             std::memcpy(place, buffer.get() + at + 12, sizeof place);
             for (int i = 0; i < 9; ++i)
                 if (!(std::abs(place[i]) <= largest_coordinate))
-                    throw InputError(source_.name(), fmt::format("triangle {}: coordinate {}: expected at most {} in size", done, place[i],
-                                                                 largest_coordinate));
+                    throw InputError(source_.name(), fmt::format("triangle {}: coordinate {}: expected at most {} in size", done,
+                                                                 place[i], largest_coordinate));
             for (int i = 0; i < 9; i += 3) add_corner({place[i], place[i + 1], place[i + 2]});
             end_facet();
         }
         if (there < wanted)
-            throw InputError(source_.name(), fmt::format("ends in triangle {}, its header promises {}", std::uint64_t(done) + 1, promised));
+            throw InputError(source_.name(),
+                             fmt::format("ends in triangle {}, its header promises {}", std::uint64_t(done) + 1, promised));
     }
     char more = 0;
     if (source_.read(&more, 1) > 0) notes_.push_back("there is more after the last triangle: passed over");
@@ -119,11 +125,13 @@ const char* StlReader::number(const char* p, double& value)
     p = scan::skip_blanks(p, line_);
     const char* after = scan::number(p, value);
     if (!after || !scan::ends_word(*after)) fail("expected a number, found " + scan::quoted_word(p));
-    if (!(std::abs(value) <= largest_coordinate)) fail(fmt::format("coordinate {}: expected at most {} in size", value, largest_coordinate));
+    if (!(std::abs(value) <= largest_coordinate))
+        fail(fmt::format("coordinate {}: expected at most {} in size", value, largest_coordinate));
     return after;
 }
 
-/// Takes one word and what belongs to it. Facets may be spread over lines in any way, but numbers stand in the line of their word.
+/// Takes one word and what belongs to it. Facets may be spread over lines in any way, but numbers stand in the line of their
+/// word.
 const char* StlReader::word(const char* p)
 {
     const char* end = scan::end_of_word(p);
@@ -149,7 +157,9 @@ const char* StlReader::word(const char* p)
         corners_in_loop_ = 0;
     } else if (is("endloop")) {
         must_be(Inside::loop, "'outer loop' first");
-        if (corners_in_loop_ < 3) fail(fmt::format("a facet with {} corner{}; expected at least 3", corners_in_loop_, corners_in_loop_ == 1 ? "" : "s"));
+        if (corners_in_loop_ < 3)
+            fail(
+                fmt::format("a facet with {} corner{}; expected at least 3", corners_in_loop_, corners_in_loop_ == 1 ? "" : "s"));
         end_facet();
         inside_ = Inside::facet;
     } else if (is("endfacet")) {

@@ -25,8 +25,7 @@ public:
     void write();
 
 private:
-    template <class Put>
-    void for_each_triangle(Put&& put);
+    template <class Put> void for_each_triangle(Put&& put);
     Facet facet(Corner a, Corner b, Corner c) const;
     void put_binary(const Facet& facet);
     void put_ascii(const Facet& facet);
@@ -46,7 +45,8 @@ Facet StlWriter::facet(Corner a, Corner b, Corner c) const
         facet[at++] = static_cast<float>(p.x);
         facet[at++] = static_cast<float>(p.y);
         facet[at++] = static_cast<float>(p.z);
-        if (!(std::isfinite(facet[at - 3]) && std::isfinite(facet[at - 2]) && std::isfinite(facet[at - 1]))) [[unlikely]] fail_too_far(corner);
+        if (!(std::isfinite(facet[at - 3]) && std::isfinite(facet[at - 2]) && std::isfinite(facet[at - 1]))) [[unlikely]]
+            fail_too_far(corner);
     }
     // The normal is that of the rounded places: it is those that the file holds.
     const Point p(facet[3], facet[4], facet[5]), q(facet[6], facet[7], facet[8]), r(facet[9], facet[10], facet[11]);
@@ -60,7 +60,8 @@ Facet StlWriter::facet(Corner a, Corner b, Corner c) const
 void StlWriter::fail_too_far(Corner c) const
 {
     const Point& p = mesh_.position(c);
-    throw InputError(out_.name(), fmt::format("vertex {} lies at {},{},{}: too far for the single precision of STL", mesh_.vertex(c).index, p.x, p.y, p.z));
+    throw InputError(out_.name(), fmt::format("vertex {} lies at {},{},{}: too far for the single precision of STL",
+                                              mesh_.vertex(c).index, p.x, p.y, p.z));
 }
 
 inline void StlWriter::put_binary(const Facet& facet)
@@ -92,8 +93,7 @@ void StlWriter::put_ascii(const Facet& facet)
     sink.put("  endloop\n endfacet\n");
 }
 
-template <class Put>
-void StlWriter::for_each_triangle(Put&& put)
+template <class Put> void StlWriter::for_each_triangle(Put&& put)
 {
     Triangulator triangulator;
     for (const Face f : mesh_.faces()) {
@@ -108,7 +108,8 @@ void StlWriter::for_each_triangle(Put&& put)
     }
     if (thin_faces_ == mesh_.face_count()) throw InputError(out_.name(), "the document holds no face with more than 2 corners");
     if (thin_faces_ > 0)
-        out_.note(fmt::format("{} face{} fewer than 3 corners: not saved in STL", thin_faces_, thin_faces_ == 1 ? " has" : "s have"));
+        out_.note(
+            fmt::format("{} face{} fewer than 3 corners: not saved in STL", thin_faces_, thin_faces_ == 1 ? " has" : "s have"));
 }
 
 void StlWriter::write()
@@ -140,8 +141,9 @@ void write_stl(const ModelView& model, OutputFiles& out)
 {
     const Mesh& mesh = model.mesh;
     if (mesh.face_count() == 0)
-        throw InputError(out.name(), model.graph && !model.graph->edges.empty() ? "the document holds a graph and no faces; STL holds only faces"
-                                                                                : "the document holds no faces");
+        throw InputError(out.name(), model.graph && !model.graph->edges.empty()
+                                         ? "the document holds a graph and no faces; STL holds only faces"
+                                         : "the document holds no faces");
     StlWriter(mesh, out).write();
     if (mesh.largest_group() > 0) out.note("groups are not saved in STL");
 }

@@ -68,7 +68,8 @@ TEST(Triangulator, CutsAConcaveQuadAlongTheOnlyDiagonalInside)
 }
 
 class EveryShapeCut : public testing::TestWithParam<NamedShape> {};
-INSTANTIATE_TEST_SUITE_P(Triangulator, EveryShapeCut, testing::ValuesIn(all_shapes()), shape_name<testing::TestParamInfo<NamedShape>>);
+INSTANTIATE_TEST_SUITE_P(Triangulator, EveryShapeCut, testing::ValuesIn(all_shapes()),
+                         shape_name<testing::TestParamInfo<NamedShape>>);
 
 TEST_P(EveryShapeCut, GivesTwoTrianglesLessThanCornersThatAddUpToTheFace)
 {

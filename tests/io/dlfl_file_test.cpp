@@ -52,7 +52,8 @@ TEST(WriteDlfl, KeepsToTopModsGrammarAndAddsGroupsAfterIt)
     model.mesh.set_group(Face(1), 4);
     const Written file = written(model.mesh, "dlfl");
     EXPECT_EQ(file.text.substr(0, 23), "DLFL\nmtllib test.mtl\n#\n");
-    EXPECT_EQ(file.text.substr(file.text.find("usemtl")), "usemtl group_0\nf 0 1 2\nusemtl group_4\nf 3 4 5\n#\ndruse 1\ng 0 4\n");
+    EXPECT_EQ(file.text.substr(file.text.find("usemtl")),
+              "usemtl group_0\nf 0 1 2\nusemtl group_4\nf 3 4 5\n#\ndruse 1\ng 0 4\n");
     EXPECT_EQ(file.materials.substr(0, 14), "newmtl group_0");
 }
 
@@ -95,13 +96,16 @@ TEST(ReadDlfl, ClosesSidesWithoutAnEdge)
     EXPECT_SOUND(model.mesh);
     EXPECT_EQ(counts(model.mesh), (Counts{3, 3, 1}));
     EXPECT_EQ(model.mesh.boundary_count(), 1u);
-    EXPECT_EQ(model.notes, (std::vector<std::string>{"1 vertex belongs to no face: left out", "the surface is open: 3 boundary edges in 1 loop"}));
+    EXPECT_EQ(model.notes, (std::vector<std::string>{"1 vertex belongs to no face: left out",
+                                                     "the surface is open: 3 boundary edges in 1 loop"}));
 }
 
 TEST(ReadDlfl, WalksTheBoundaryAroundEachVertex)
 {
     // An open strip of two triangles, joined by the edge 1 2.
-    const Model model = read_text("DLFL\n#\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n#\nfv 0\nfv 1\nfv 2\nfv 2\nfv 1\nfv 3\n#\ne 1 3\n#\nf 0 1 2\nf 3 4 5\n#\n", "dlfl");
+    const Model model = read_text(
+        "DLFL\n#\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n#\nfv 0\nfv 1\nfv 2\nfv 2\nfv 1\nfv 3\n#\ne 1 3\n#\nf 0 1 2\nf 3 4 5\n#\n",
+        "dlfl");
     EXPECT_SOUND(model.mesh);
     EXPECT_EQ(counts(model.mesh), (Counts{4, 5, 2}));
     EXPECT_EQ(model.mesh.boundary_count(), 1u);

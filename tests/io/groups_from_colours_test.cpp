@@ -8,7 +8,8 @@ namespace druse::test {
 namespace {
 
 /// The groups of a cube whose faces are preceded by these lines, one for each face.
-Model coloured_cube(const std::vector<std::string>& before, const std::string& header = "", const std::filesystem::path& folder = {})
+Model coloured_cube(const std::vector<std::string>& before, const std::string& header = "",
+                    const std::filesystem::path& folder = {})
 {
     std::string text = header;
     std::size_t face = 0;
@@ -32,10 +33,13 @@ TEST(GroupsFromColours, NumbersMaterialsOtherwise)
     // One material that is called something else, and all are colours (here: names, as there is no .mtl).
     EXPECT_EQ(groups(coloured_cube({"usemtl group_7", "usemtl brass", "usemtl group_7", "", "usemtl group_1", ""}).mesh),
               (std::vector<int>{1, 2, 1, 1, 3, 3}));
-    for (const char* name : {"group_", "group_x", "group_07", "group_-1", "group_1 ", "Group_1", "group_99999999999", "group_1 b"}) {
+    for (const char* name :
+         {"group_", "group_x", "group_07", "group_-1", "group_1 ", "Group_1", "group_99999999999", "group_1 b"}) {
         const bool is_group = std::string(name) == "group_1 "; // the blank is not part of the name
         EXPECT_EQ(groups(coloured_cube({"", "", "", "", "", std::string("usemtl ") + name}).mesh)[5], 1) << name;
-        EXPECT_EQ(groups(coloured_cube({"usemtl group_5", "", "", "", "", std::string("usemtl ") + name}).mesh)[0], is_group ? 5 : 1) << name;
+        EXPECT_EQ(groups(coloured_cube({"usemtl group_5", "", "", "", "", std::string("usemtl ") + name}).mesh)[0],
+                  is_group ? 5 : 1)
+            << name;
     }
 }
 
@@ -49,8 +53,9 @@ TEST(GroupsFromColours, PutsMaterialsOfOneColourTogether)
     const TemporaryFolder folder;
     put_contents(folder / "a.mtl", "newmtl brass\nKd 0.5 0.25 0\nnewmtl gold\nNs 10\nKd 0.5001 0.2502 0\nnewmtl glass\nd 0.5\n");
     put_contents(folder / "b.mtl", "newmtl iron\r\nKd 0.2 \r\nnewmtl odd\nKd spectral x.rfl\n");
-    const Model model = coloured_cube({"usemtl iron", "usemtl brass", "usemtl gold", "usemtl glass", "usemtl odd", "usemtl missing"},
-                                      "mtllib a.mtl b.mtl\n", folder.path());
+    const Model model =
+        coloured_cube({"usemtl iron", "usemtl brass", "usemtl gold", "usemtl glass", "usemtl odd", "usemtl missing"},
+                      "mtllib a.mtl b.mtl\n", folder.path());
     EXPECT_EQ(groups(model.mesh), (std::vector<int>{1, 2, 2, 3, 4, 5}));
     EXPECT_EQ(model.groups.colour(1), (Colour{51, 51, 51}));
     EXPECT_EQ(model.groups.colour(2), (Colour{128, 64, 0})); // 127.5 rounds up, 63.75 too
@@ -62,21 +67,25 @@ TEST(GroupsFromColours, FindsAMaterialFileWithBlanksInItsName)
 {
     const TemporaryFolder folder;
     put_contents(folder / "my colours.mtl", "newmtl a\nKd 1 0 0\nnewmtl b\nKd 1 0 0\n");
-    EXPECT_EQ(groups(coloured_cube({"usemtl a", "usemtl b"}, "mtllib my colours.mtl\n", folder.path()).mesh), std::vector<int>(6, 1));
+    EXPECT_EQ(groups(coloured_cube({"usemtl a", "usemtl b"}, "mtllib my colours.mtl\n", folder.path()).mesh),
+              std::vector<int>(6, 1));
 }
 
 TEST(GroupsFromColours, NotesMaterialFilesThatAreNotThere)
 {
     const Model model = coloured_cube({"usemtl a", "usemtl b"}, "mtllib gone.mtl also.mtl\n");
     EXPECT_EQ(groups(model.mesh), (std::vector<int>{1, 2, 2, 2, 2, 2}));
-    EXPECT_EQ(model.notes, (std::vector<std::string>{"gone.mtl is not there: its colours are unknown", "also.mtl is not there: its colours are unknown"}));
+    EXPECT_EQ(model.notes, (std::vector<std::string>{"gone.mtl and 1 more .mtl file are not there: their colours are unknown"}));
+    EXPECT_EQ(coloured_cube({"usemtl a"}, "mtllib gone.mtl\nmtllib gone.mtl\n").notes,
+              (std::vector<std::string>{"gone.mtl is not there: its colours are unknown"}));
 }
 
 TEST(GroupsFromColours, TakesTheColourRecordsOfTopMod)
 {
     const TemporaryFolder folder;
     put_contents(folder / "a.mtl", "newmtl red\nKd 1 0 0\n");
-    const Model model = coloured_cube({"", "c 0 1 0", "c 1 0 0", "c 0 1 0", "usemtl red", "c 0 0.999 0"}, "mtllib a.mtl\n", folder.path());
+    const Model model =
+        coloured_cube({"", "c 0 1 0", "c 1 0 0", "c 0 1 0", "usemtl red", "c 0 0.999 0"}, "mtllib a.mtl\n", folder.path());
     EXPECT_EQ(groups(model.mesh), (std::vector<int>{0, 1, 2, 1, 2, 1})); // 0.999 is 255 of 255
     EXPECT_EQ(model.groups.colour(1), (Colour{0, 255, 0}));
 }

@@ -72,8 +72,7 @@ inline Model read_text(std::string_view text, const std::string& format, const s
 }
 
 /// What an InputError says, or "no error".
-template <class F>
-std::string error_of(F&& f)
+template <class F> std::string error_of(F&& f)
 {
     try {
         f();
@@ -118,7 +117,10 @@ inline Model there_and_back(const ModelView& model, const std::string& format)
     return read_model(folder / ("test." + format));
 }
 
-inline Model there_and_back(const Mesh& mesh, const std::string& format) { return there_and_back(ModelView{mesh, GroupTable()}, format); }
+inline Model there_and_back(const Mesh& mesh, const std::string& format)
+{
+    return there_and_back(ModelView{mesh, GroupTable()}, format);
+}
 
 inline std::vector<int> groups(const Mesh& mesh)
 {
@@ -127,8 +129,8 @@ inline std::vector<int> groups(const Mesh& mesh)
     return all;
 }
 
-/// How the faces of a mesh hang together: for each corner of each face, in order, its vertex, and the face and the place in it at the
-/// other side of its edge.
+/// How the faces of a mesh hang together: for each corner of each face, in order, its vertex, and the face and the place in it at
+/// the other side of its edge.
 inline std::vector<std::vector<std::tuple<std::uint32_t, std::uint32_t, int>>> connections(const Mesh& mesh)
 {
     std::vector<int> place(mesh.corner_limit(), -1);
@@ -142,8 +144,10 @@ inline std::vector<std::vector<std::tuple<std::uint32_t, std::uint32_t, int>>> c
         for (const Corner c : mesh.corners(f)) {
             const bool alone = !mesh.edge(c).valid();
             const Face other = alone ? Face() : mesh.face(mesh.opposite(c));
-            if (alone || other.is_boundary()) all.back().emplace_back(mesh.vertex(c).index, alone ? Face::none : Face::boundary_bit, -1);
-            else all.back().emplace_back(mesh.vertex(c).index, other.index, place[mesh.opposite(c).index]);
+            if (alone || other.is_boundary())
+                all.back().emplace_back(mesh.vertex(c).index, alone ? Face::none : Face::boundary_bit, -1);
+            else
+                all.back().emplace_back(mesh.vertex(c).index, other.index, place[mesh.opposite(c).index]);
         }
     }
     return all;
@@ -163,7 +167,10 @@ inline bool edges_are_in_order_of_use(const Mesh& mesh)
     return next == mesh.edge_count();
 }
 
-inline std::vector<Point> points(const Mesh& mesh) { return {mesh.positions().begin(), mesh.positions().end()}; }
+inline std::vector<Point> points(const Mesh& mesh)
+{
+    return {mesh.positions().begin(), mesh.positions().end()};
+}
 
 inline const std::string cube_obj = R"(v -1 -1 -1
 v 1 -1 -1

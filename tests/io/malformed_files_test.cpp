@@ -94,10 +94,10 @@ INSTANTIATE_TEST_SUITE_P(Stl, EveryMalformedFile, testing::ValuesIn(stls()));
 
 std::vector<Malformed> dlfls()
 {
-    const std::string v = "DLFL\n#\nv 0 0 0\nv 1 0 0\nv 0 1 0\n#\n"; // lines 1 to 6
+    const std::string v = "DLFL\n#\nv 0 0 0\nv 1 0 0\nv 0 1 0\n#\n";      // lines 1 to 6
     const std::string fv = v + "fv 0\nfv 1\nfv 2\nfv 1\nfv 0\nfv 2\n#\n"; // to 13
-    const std::string e = fv + "e 0 3\ne 1 5\ne 2 4\n#\n";             // to 17
-    const std::string all = e + "f 0 1 2\nf 3 4 5\n#\n";                // to 20
+    const std::string e = fv + "e 0 3\ne 1 5\ne 2 4\n#\n";                // to 17
+    const std::string all = e + "f 0 1 2\nf 3 4 5\n#\n";                  // to 20
     return {
         {"dlfl", "", ": the file ends among its title"},
         {"dlfl", "# DLFL\n", ":1: expected 'DLFL', found '#'"},
@@ -122,7 +122,8 @@ std::vector<Malformed> dlfls()
         {"dlfl", e + "f 0 1 2\nf 3 4 1\n", ":19: face names corner 1, which is in face 0 already"},
         {"dlfl", e + "f 0 1 1\n", ":18: face names corner 1, which is in face 0 already"},
         {"dlfl", e + "f 0 1 2\n#\n", ": corner 3 is in no face"},
-        {"dlfl", fv + "e 0 4\n#\nf 0 1 2\nf 3 4 5\n#\n", ": the sides at corners 0 and 4 do not run against each other, as edge 0 says"},
+        {"dlfl", fv + "e 0 4\n#\nf 0 1 2\nf 3 4 5\n#\n",
+         ": the sides at corners 0 and 4 do not run against each other, as edge 0 says"},
         {"dlfl", all + "druse 2\n", ":21: druse 2: expected 1"},
         {"dlfl", all + "druse 1\ng 1\n", ": 1 groups for 2 faces"},
         {"dlfl", all + "druse 1\ng 1 2 3\n", ":22: more groups than faces; the file has 2"},
@@ -161,7 +162,8 @@ TEST(MissingFiles, AreNamed)
     put_contents(folder / "a", "");
     const std::string odd = (folder / "a.xyz").string(), plain = (folder / "a").string();
     EXPECT_EQ(error_of([&] { read_model(odd); }), odd + ": unknown format 'xyz'; expected obj, stl or dlfl");
-    EXPECT_EQ(error_of([&] { read_model(plain); }), plain + ": a name without a format; expected one that ends in obj, stl or dlfl");
+    EXPECT_EQ(error_of([&] { read_model(plain); }),
+              plain + ": a name without a format; expected one that ends in obj, stl or dlfl");
     EXPECT_EQ(error_of([&] { read_text("", "step"); }), "test.step: unknown format 'step'; expected obj, stl or dlfl");
 }
 

@@ -28,11 +28,21 @@ std::string mutated(std::string text, std::mt19937& random)
     const auto at = [&] { return random() % text.size(); };
     for (std::uint32_t changes = 1 + random() % 4; changes > 0 && !text.empty(); --changes) {
         switch (random() % 7) {
-        case 0: text[at()] = static_cast<char>(random()); break;
-        case 1: text[at()] = "0123456789 \n-./\\#ef"[random() % 19]; break;
-        case 2: text.erase(at(), 1 + random() % 8); break;
-        case 3: text.insert(at(), 1, static_cast<char>(' ' + random() % 90)); break;
-        case 4: text.resize(at()); break;
+        case 0:
+            text[at()] = static_cast<char>(random());
+            break;
+        case 1:
+            text[at()] = "0123456789 \n-./\\#ef"[random() % 19];
+            break;
+        case 2:
+            text.erase(at(), 1 + random() % 8);
+            break;
+        case 3:
+            text.insert(at(), 1, static_cast<char>(' ' + random() % 90));
+            break;
+        case 4:
+            text.resize(at());
+            break;
         case 5: { // a line twice, somewhere else
             const std::size_t begin = at(), end = std::min(text.find('\n', begin), text.size() - 1) + 1;
             const std::string line = text.substr(begin, end - begin);
@@ -51,7 +61,10 @@ struct Original {
     const char* name;
     std::string format, text;
 };
-void PrintTo(const Original& original, std::ostream* out) { *out << original.name; }
+void PrintTo(const Original& original, std::ostream* out)
+{
+    *out << original.name;
+}
 
 class EveryMutation : public testing::TestWithParam<Original> {};
 
@@ -83,7 +96,8 @@ std::vector<Original> originals()
     return {
         {"obj", "obj", written(mixed(), "obj").text},
         {"obj_with_all_forms", "obj",
-         "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 0 0 1 1 1 1\nvt 0 0\nvn 0 0 1\nusemtl a\nf 1/1/1 3/1 2//1\nc 1 0 0.5\nf -4 2 \\\n 4\n"
+         "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 0 0 1 1 1 1\nvt 0 0\nvn 0 0 1\nusemtl a\nf 1/1/1 3/1 2//1\nc 1 0 0.5\nf "
+         "-4 2 \\\n 4\n"
          "f 2 3 4\nf 3 1 4\nl 1 2 3\np 4\n"},
         {"dlfl", "dlfl", written(grouped, "dlfl").text},
         {"dlfl_with_everything", "dlfl", written(mixed(), "dlfl").text},
@@ -102,8 +116,7 @@ TEST(MutatedFiles, OfShuffledFacesAreMended)
         std::mt19937 random(seed);
         const unsigned vertices = 3 + random() % 8;
         std::string text;
-        for (unsigned v = 0; v < vertices; ++v)
-            text += fmt::format("v {} {} {}\n", random() % 10, random() % 10, random() % 10);
+        for (unsigned v = 0; v < vertices; ++v) text += fmt::format("v {} {} {}\n", random() % 10, random() % 10, random() % 10);
         for (unsigned f = 1 + random() % 12; f > 0; --f) {
             text += "f";
             for (unsigned k = 3 + random() % 3; k > 0; --k) text += fmt::format(" {}", 1 + random() % vertices);

@@ -67,7 +67,8 @@ INSTANTIATE_TEST_SUITE_P(
         Spelling{"negative_in_between", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -1 -2\nv 0 0 1\nf -4 -3 -1\nf -3 -2 -1\nf -2 -4 -1\n"},
         Spelling{"faces_first", tetrahedron_faces + four_points},
         Spelling{"weights", "v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nv 0 0 1 1\n" + tetrahedron_faces},
-        Spelling{"comments", "# a \\\n" + four_points + "# C:\\models\\\n" + with_line_ends(tetrahedron_faces, " # face\n") + "#"},
+        Spelling{"comments",
+                 "# a \\\n" + four_points + "# C:\\models\\\n" + with_line_ends(tetrahedron_faces, " # face\n") + "#"},
         Spelling{"passed_over", "o thing\ng a b\ns off\n" + four_points + "vp 1 2\n" + tetrahedron_faces + "\n\n\n"},
         Spelling{"exponents", "v 0e5 0.0 -0\nv 10e-1 0 0\nv 0 .1E1 0\nv 0 0 +1.\n" + tetrahedron_faces}),
     shape_name<testing::TestParamInfo<Spelling>>);
@@ -76,7 +77,8 @@ TEST(ReadObj, FollowsBackslashesAcrossThePlaceWhereABlockEnds)
 {
     // A block is a megabyte: whatever its end cuts into must come out whole.
     std::string text = four_points;
-    for (int i = 0; i < 40; ++i) text += fmt::format("# {:x>{}}\n", "", 29000 + 997 * i) + "f 1 \\\n3 \\\r\n2\nf 1 2 4\nf 2 \\\n3 4\nf 3 1 4\n";
+    for (int i = 0; i < 40; ++i)
+        text += fmt::format("# {:x>{}}\n", "", 29000 + 997 * i) + "f 1 \\\n3 \\\r\n2\nf 1 2 4\nf 2 \\\n3 4\nf 3 1 4\n";
     EXPECT_EQ(read_text(text, "obj").mesh.face_count(), 160u);
 }
 
@@ -201,7 +203,8 @@ TEST(WriteObj, SplitsParallelEdgesAndLoopsInTheFileOnly)
     EXPECT_EQ(counts(back), (Counts{4, 5, 3}));
 
     EXPECT_EQ(written(cube_with_loop(), "obj").notes, (std::vector<std::string>{"1 loop split"}));
-    EXPECT_EQ(counts(there_and_back(cube_with_loop(), "obj").mesh), (Counts{10, 15, 7})); // one edge more than a cube, and two for the loop
+    EXPECT_EQ(counts(there_and_back(cube_with_loop(), "obj").mesh),
+              (Counts{10, 15, 7})); // one edge more than a cube, and two for the loop
     EXPECT_EQ(written(cube_with_parallel_edges(), "obj").notes, (std::vector<std::string>{"1 parallel edge split"}));
     EXPECT_EQ(counts(there_and_back(segment(), "obj").mesh), (Counts{3, 2, 1}));
 }
@@ -287,7 +290,8 @@ TEST(Models, AreReadWithoutComplaint)
     const Model cube = read_model(std::filesystem::path(DRUSE_MODELS) / "colored_cube.obj");
     EXPECT_EQ(groups(cube.mesh), (std::vector<int>{1, 2, 3, 3, 3, 3}));
     EXPECT_DOUBLE_EQ(volume(cube.mesh), 8);
-    EXPECT_NEAR(volume(read_model(std::filesystem::path(DRUSE_MODELS) / "dodecahedron.obj").mesh), (15 + 7 * std::sqrt(5)) / 4, 1e-14);
+    EXPECT_NEAR(volume(read_model(std::filesystem::path(DRUSE_MODELS) / "dodecahedron.obj").mesh), (15 + 7 * std::sqrt(5)) / 4,
+                1e-14);
 }
 
 } // namespace

@@ -137,7 +137,9 @@ TEST(OutputSet, SaysWhyATargetWillNotDo)
     EXPECT_EQ(error("-"), "standard output: needs --format");
     EXPECT_EQ(error("-", {.format = "x"}), "standard output: unknown format 'x'; expected obj, stl or dlfl");
     EXPECT_EQ(error(folder / "a.xyz", {.format = "stl"}), "no error");
-    EXPECT_EQ(error_of([&] { OutputSet().write({Mesh(), GroupTable()}, folder / "a.obj"); }),
+    EXPECT_EQ(error_of([&] {
+                  OutputSet().write({Mesh(), GroupTable()}, folder / "a.obj");
+              }),
               here + "/a.obj: the document holds no faces and no graph to write");
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"d.obj"}));
 }
@@ -167,7 +169,8 @@ TEST(OutputSet, PassesBytesToStandardOutputAtTheCommit)
     EXPECT_FALSE(early);
     const Model model = read_text(contents(folder / "stdout"), "obj");
     EXPECT_EQ(groups(model.mesh), (std::vector<int>{1, 0, 0, 0, 0, 0}));
-    EXPECT_EQ(out.notes(), (std::vector<std::string>{"group colours and names are not saved: there is no place for a .mtl file"}));
+    EXPECT_EQ(out.notes(),
+              (std::vector<std::string>{"group colours and names are not saved: there is no place for a .mtl file"}));
 }
 
 TEST(OutputSet, TakesWhateverTheCallerWrites)

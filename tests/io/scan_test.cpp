@@ -10,7 +10,10 @@
 namespace druse {
 namespace {
 
-std::string line(const std::string& text) { return text + "\n" + std::string(16, ' '); }
+std::string line(const std::string& text)
+{
+    return text + "\n" + std::string(16, ' ');
+}
 
 /// The number that is all of `text`, or NaN.
 double number(const std::string& text)
@@ -61,7 +64,8 @@ TEST(ScanNumber, TakesWhatIsTooSmallForADoubleAsNothing)
 
 TEST(ScanNumber, RefusesWhatIsNoFiniteNumber)
 {
-    for (const char* text : {"", "-", "+", ".", "e5", "1e", "1e+", "nan", "inf", "-inf", "NAN", "abc", "--1", "1e400", "1e999999999", "-2e308"})
+    for (const char* text :
+         {"", "-", "+", ".", "e5", "1e", "1e+", "nan", "inf", "-inf", "NAN", "abc", "--1", "1e400", "1e999999999", "-2e308"})
         EXPECT_TRUE(std::isnan(number(text))) << text;
     EXPECT_TRUE(std::isnan(number("1" + std::string(400, '0'))));
 }

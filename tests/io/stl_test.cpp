@@ -67,7 +67,8 @@ TEST_P(EveryShapeInStl, KeepsItsVolumeInBothKinds)
         return n;
     }());
     bool flat = flatness(mesh) < 1e-9;
-    for (const Face f : mesh.faces()) flat = flat && (area(mesh, f) > 0 || valence(mesh, f) < 3); // a face of two opposite parts has none
+    for (const Face f : mesh.faces())
+        flat = flat && (area(mesh, f) > 0 || valence(mesh, f) < 3); // a face of two opposite parts has none
     if (flat) {
         EXPECT_NEAR(volume(from_binary.mesh), volume(mesh), 1e-5 * (1 + std::abs(volume(mesh))));
     }
@@ -137,16 +138,21 @@ TEST(ReadStl, WeldsCornersAtTheSamePlace)
 
 TEST(ReadStl, TakesMinusZeroForZero)
 {
-    const Model model = read_text("solid\n" + facet("-0 0 0", y, x) + facet("0 -0 0", x, z) + facet(x, y, z) + facet(y, "0 0 -0.0", z), "stl");
+    const Model model =
+        read_text("solid\n" + facet("-0 0 0", y, x) + facet("0 -0 0", x, z) + facet(x, y, z) + facet(y, "0 0 -0.0", z), "stl");
     EXPECT_EQ(counts(model.mesh), (Counts{4, 6, 4}));
 }
 
 TEST(ReadStl, WeldsExactlyAndNoFurther)
 {
     const std::string near = "1.0000002 0 0"; // the next number in single precision
-    EXPECT_EQ(read_text("solid\n" + facet(o, y, x) + facet(o, near, z) + facet(x, y, z) + facet(y, o, z), "stl").mesh.vertex_count(), 5u);
+    EXPECT_EQ(
+        read_text("solid\n" + facet(o, y, x) + facet(o, near, z) + facet(x, y, z) + facet(y, o, z), "stl").mesh.vertex_count(),
+        5u);
     const std::string same = "1.00000001 0 0"; // the same number in single precision
-    EXPECT_EQ(read_text("solid\n" + facet(o, y, x) + facet(o, same, z) + facet(x, y, z) + facet(y, o, z), "stl").mesh.vertex_count(), 4u);
+    EXPECT_EQ(
+        read_text("solid\n" + facet(o, y, x) + facet(o, same, z) + facet(x, y, z) + facet(y, o, z), "stl").mesh.vertex_count(),
+        4u);
 }
 
 TEST(ReadStl, TakesAsciiHoweverItIsLaidOut)
@@ -165,8 +171,10 @@ TEST(ReadStl, TakesAsciiHoweverItIsLaidOut)
 
 TEST(ReadStl, TakesThePolygonsThatTopModWrites)
 {
-    const std::string square = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n";
-    const std::string back = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 1 0\nvertex 1 0 0\nendloop\nendfacet\n";
+    const std::string square =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    const std::string back =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 1 0\nvertex 1 0 0\nendloop\nendfacet\n";
     EXPECT_EQ(counts(read_text("solid ascii\n" + square + back, "stl").mesh), (Counts{4, 4, 2}));
 }
 
