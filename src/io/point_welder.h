@@ -3,8 +3,11 @@
 #include "dlfl/column.h"
 #include "dlfl/mesh_builder.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
+#include <utility>
 
 namespace druse {
 
