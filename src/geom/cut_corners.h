@@ -1,9 +1,8 @@
 #pragma once
 
-#include "geom/angle.h"
 #include "geom/point.h"
+#include "geom/turn.h"
 
-#include <cmath>
 #include <vector>
 
 namespace druse {
@@ -23,7 +22,7 @@ public:
     {
         if (directions_.size() != std::size_t(n)) {
             directions_.resize(std::size_t(n));
-            for (int i = 0; i < n; ++i) directions_[std::size_t(i)] = {std::cos(2 * pi * i / n), std::sin(2 * pi * i / n)};
+            for (int i = 0; i < n; ++i) directions_[std::size_t(i)] = turn(i, n);
         }
         // Relative to the first one, so that a polygon far from the origin loses no digits.
         const Point origin = at(0);

@@ -77,7 +77,7 @@ void register_face(Registry& registry)
                      .param(&FaceStart::toward, "toward", "start at the corner farthest in this direction")
                      .exactly_one({"vertex", "shift", "toward"})
                      .example("face.start faces=group:1 toward=0,0,1")
-                     .cites("Landreneau 2005, III.4")
+                     .cites("Landreneau 2005, III.4 and III.5")
                      .keeps_euler()
                      .run(set_starts));
 }

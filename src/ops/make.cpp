@@ -350,7 +350,7 @@ void add_platonic(Registry& registry, const std::string& name, const char* help)
     registry.add(define<SolidSize>("make." + name, help)
                      .param(&SolidSize::size, "size", Unit::length, above(0), edge_help)
                      .example("make." + name + " size=2")
-                     .cites("Coxeter 1973, 1.8 and 3.7")
+                     .cites("Coxeter 1973")
                      .run([name](Scene& scene, const SolidSize& p, Context&) { add_to_scene(scene, make_solid(name, p.size)); }));
 }
 
@@ -360,7 +360,7 @@ void add_n_sided(Registry& registry, const char* name, const char* help, const c
                      .param(&Sides::n, "n", Unit::count, {3, 10000}, "number of sides")
                      .param(&Sides::size, "size", Unit::length, above(0), edge_help)
                      .example(example)
-                     .cites("Coxeter 1973, 1.1 and 1.3")
+                     .cites("Coxeter 1973")
                      .run([make](Scene& scene, const Sides& p, Context&) { add_to_scene(scene, make(p.n, p.size)); }));
 }
 
@@ -378,7 +378,7 @@ void register_make(Registry& registry)
                      .required()
                      .param(&NamedSolid::size, "size", Unit::length, above(0), edge_help)
                      .example("make.solid name=snub_cube size=2")
-                     .cites("Coxeter 1973, 2.8; Johnson 1966")
+                     .cites("Coxeter 1973; Johnson 1966")
                      .run([](Scene& scene, const NamedSolid& p, Context&) { add_to_scene(scene, make_solid(p.name, p.size)); }));
     add_n_sided(registry, "make.prism", "Add a prism of squares between two regular polygons", "make.prism n=5", make_prism);
     add_n_sided(registry, "make.antiprism", "Add two turned regular polygons joined by triangles", "make.antiprism n=5", make_antiprism);
@@ -388,7 +388,7 @@ void register_make(Registry& registry)
                      .param(&Grid::ny, "ny", Unit::count, {1, 4096}, "squares along y")
                      .param(&Grid::size, "size", Unit::length, above(0), edge_help)
                      .example("make.grid nx=8 ny=6")
-                     .cites("Druse's own")
+                     .cites("Druse")
                      .run([](Scene& scene, const Grid& p, Context& context) { add_to_scene(scene, make_grid(p.nx, p.ny, p.size, context.progress)); }));
     registry.add(define<Torus>("make.torus", "Add a torus of quads around the z axis")
                      .param(&Torus::nu, "nu", Unit::count, {3, 4096}, "quads round the axis")
@@ -396,7 +396,7 @@ void register_make(Registry& registry)
                      .param(&Torus::major, "major", Unit::length, above(0), "from the axis to the middle of the tube")
                      .param(&Torus::minor, "minor", Unit::length, above(0), "radius of the tube, less than major")
                      .example("make.torus nu=32 nv=16 major=2 minor=0.5")
-                     .cites("Druse's own")
+                     .cites("Druse")
                      .run([](Scene& scene, const Torus& p, Context& context) {
                          if (p.minor >= p.major)
                              throw CommandError(fmt::format("minor={}: expected less than major={}", number_text(p.minor), number_text(p.major)));
@@ -407,7 +407,7 @@ void register_make(Registry& registry)
                      .param(&Sphere::nv, "nv", Unit::count, {2, 4096}, "bands from pole to pole")
                      .param(&Sphere::radius, "radius", Unit::length, above(0), "from the centre to the vertices")
                      .example("make.sphere nu=32 nv=16")
-                     .cites("Druse's own")
+                     .cites("Druse")
                      .run([](Scene& scene, const Sphere& p, Context& context) {
                          add_to_scene(scene, make_sphere(p.nu, p.nv, p.radius, context.progress));
                      }));
@@ -415,7 +415,7 @@ void register_make(Registry& registry)
                      .param(&Geodesic::frequency, "frequency", Unit::count, {1, 128}, "parts of each edge of the icosahedron")
                      .param(&Geodesic::radius, "radius", Unit::length, above(0), "from the centre to the vertices")
                      .example("make.geodesic frequency=6")
-                     .cites("Clinton 1971, class I")
+                     .cites("Clinton 1971")
                      .run([](Scene& scene, const Geodesic& p, Context&) { add_to_scene(scene, make_geodesic(p.frequency, p.radius)); }));
 }
 

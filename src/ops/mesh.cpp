@@ -82,12 +82,12 @@ void register_mesh(Registry& registry)
     using P = TransformParameters;
     registry.add(define<P>("mesh.transform", "Scale, then rotate, then move")
                      .param(&P::vertices, "vertices", "vertices to move")
-                     .param(&P::scale, "scale", Unit::ratio, nonzero(-1e9, 1e9), {1, 3}, "one factor, or one each for x, y and z; a mirror image is turned to stay outward")
+                     .param(&P::scale, "scale", Unit::ratio, nonzero(), {1, 3}, "one factor, or one each for x, y and z; a mirror image is turned to stay outward")
                      .param(&P::rotate, "rotate", Unit::degrees, {-1e6, 1e6}, "about x, then y, then z")
                      .param(&P::move, "move", "added last")
                      .param(&P::about, "about", words({"origin", "center"}), "the point that scaling and rotating leave in place; center: of the vertices' box")
                      .example("mesh.transform scale=2,1,1 rotate=0,0,45 about=center")
-                     .cites("Druse's own")
+                     .cites("Druse")
                      .keeps_euler()
                      .run(run_transform));
 }

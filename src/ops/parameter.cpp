@@ -25,7 +25,7 @@ std::string Range::text() const
     else if (from && to) result = fmt::format("{} to {}", low, high);
     else if (from) result = above_min ? fmt::format("above {}", low) : fmt::format("{} or more", low);
     else if (to) result = below_max ? fmt::format("below {}", high) : fmt::format("{} or less", high);
-    if (without_zero) result += result.empty() ? "not 0" : ", not 0";
+    if (without_zero) result += result.empty() ? "any number but 0" : ", not 0";
     return result;
 }
 

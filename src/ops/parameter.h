@@ -35,6 +35,7 @@ struct Range {
     std::string text() const; // `1 to 179`, `above 0`, `-100 to 100, not 0`
 };
 inline Range nonzero(double min, double max) { return {min, max, false, false, true}; }
+inline Range nonzero() { return {.without_zero = true}; }
 inline Range between(double min, double max) { return {min, max, true, true, false}; } // both ends left out
 inline Range above(double min) { return {min, std::numeric_limits<double>::infinity(), true, false, false}; }
 inline Range at_least(double min) { return {min, std::numeric_limits<double>::infinity(), false, false, false}; }

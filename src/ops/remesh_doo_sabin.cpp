@@ -1,13 +1,20 @@
 #include "ops/remesh_doo_sabin.h"
 
+#include "geom/cut_corners.h"
 #include "ops/remesh.h"
-#include "ops/remesh_means.h"
 
 namespace druse {
 
 void DooSabin::place(const remesh::OldMesh& old, const remesh::NewPoints& to, Progress& progress) const
 {
-    remesh::write_weighted_corners(old, {0.25, 1.25}, to.corner_point, progress, [&old](std::uint32_t c) { return old.position(c); });
+    CornerCutter cutter;
+    for (std::uint32_t f = 0; f < old.faces(); ++f) {
+        if (f % 16384 == 0) progress.step(0.5 + 0.5 * f / old.faces());
+        const std::uint32_t begin = old.begin(f);
+        const int n = static_cast<int>(old.end(f) - begin);
+        const auto corner = [&](int i) { return old.position(begin + static_cast<std::uint32_t>(i)); };
+        cutter.cut(n, CornerCutter::doo_sabin(n), corner, [&](int i, const Point& p) { to.corner_point[begin + static_cast<std::uint32_t>(i)] = p; });
+    }
 }
 
 Operator remesh_doo_sabin_operator()

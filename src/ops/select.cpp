@@ -216,7 +216,7 @@ void add_select(Registry& registry, const std::string& many, const char* example
                      .required()
                      .param(&P::mode, "mode", mode_words, mode_help)
                      .example(example)
-                     .cites("Druse's own")
+                     .cites("Druse")
                      .keeps_euler()
                      .run([](Scene& scene, const P& p, Context&) { select(scene, p.elements.resolve(scene), p.mode); }));
 }
@@ -336,14 +336,14 @@ void register_select(Registry& registry)
                      .param(&GrowSelection::of, "of", part_words, "the part of the selection that grows")
                      .param(&GrowSelection::steps, "steps", Unit::count, {1, 1000}, "how often")
                      .example("select.grow of=faces steps=2")
-                     .cites("Druse's own")
+                     .cites("Druse")
                      .keeps_euler()
                      .run(grow_selection));
     registry.add(define<GrowSelection>("select.shrink", "Take away what has a neighbour that is not selected")
                      .param(&GrowSelection::of, "of", part_words, "the part of the selection that shrinks")
                      .param(&GrowSelection::steps, "steps", Unit::count, {1, 1000}, "how often")
                      .example("select.shrink of=vertices")
-                     .cites("Druse's own")
+                     .cites("Druse")
                      .keeps_euler()
                      .run(shrink_selection));
     registry.add(define<SelectLoop>("select.loop", "Select the loop or ring through an edge")
@@ -353,7 +353,7 @@ void register_select(Registry& registry)
                             "edges: straight on over vertices with four edges; ring: opposite sides of quads; faces: the quads of the ring")
                      .param(&SelectLoop::mode, "mode", mode_words, mode_help)
                      .example("select.loop edge=4~9 kind=ring")
-                     .cites("Druse's own")
+                     .cites("Druse")
                      .keeps_euler()
                      .run(select_loop));
     registry.add(define<SelectSimilar>("select.similar", "Select what is like the selected faces, edges or vertices")
@@ -362,13 +362,13 @@ void register_select(Registry& registry)
                      .param(&SelectSimilar::tolerance, "tolerance", Unit::none, at_least(0),
                             "largest difference: a fraction of area or length, degrees between normals")
                      .example("select.similar by=area tolerance=0.01")
-                     .cites("Druse's own")
+                     .cites("Druse")
                      .keeps_euler()
                      .run(select_similar));
     registry.add(define<InvertSelection>("select.invert", "Select what is not selected")
                      .param(&InvertSelection::of, "of", part_words, "the part of the selection to invert")
                      .example("select.invert of=edges")
-                     .cites("Druse's own")
+                     .cites("Druse")
                      .keeps_euler()
                      .run([](Scene& scene, const InvertSelection& p, Context&) {
                          with_part(p.of, [&]<class H>(H*, const char*) {
@@ -380,7 +380,7 @@ void register_select(Registry& registry)
                      .required()
                      .param(&SelectGroup::mode, "mode", mode_words, mode_help)
                      .example("select.group ids=1,2 mode=add")
-                     .cites("Landreneau 2005, III.4")
+                     .cites("Landreneau 2005, III.5")
                      .keeps_euler()
                      .run([](Scene& scene, const SelectGroup& p, Context&) {
                          const std::vector<int> ids = resolve_groups(scene.mesh, p.ids);

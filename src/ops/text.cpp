@@ -19,10 +19,17 @@ std::string number_text(double x)
     return {buffer, end};
 }
 
+namespace {
+
+/// The text without a leading plus, which std::from_chars does not know.
+std::string_view without_plus(std::string_view text) { return text.starts_with('+') && !text.starts_with("+-") ? text.substr(1) : text; }
+
+} // namespace
+
 double parse_number(std::string_view text)
 {
     double x = 0.0;
-    const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+    const std::string_view digits = without_plus(text);
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
     if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(x)) throw CommandError("expected a number");
     return x;
@@ -31,7 +38,7 @@ double parse_number(std::string_view text)
 long long parse_integer(std::string_view text)
 {
     long long x = 0;
-    const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+    const std::string_view digits = without_plus(text);
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
     if (error != std::errc() || end != digits.data() + digits.size()) throw CommandError("expected an integer");
     return x;
