@@ -325,10 +325,12 @@ void colour_group(Scene& scene, const ColourGroup& p, Context&)
     OrWord<std::vector<int>> ids;
     ids.word = p.id.word;
     ids.value = {p.id.value};
+    const std::vector<int> coloured = resolve_groups(scene.mesh, ids);
     GroupTable& table = scene.groups.edit();
-    for (const int id : resolve_groups(scene.mesh, ids)) {
-        if (p.color.word.empty()) table.set_colour(id, p.color.value);
-        else table.set_default_colour(id);
+    if (p.color.word.empty()) {
+        for (const int id : coloured) table.set_colour(id, p.color.value);
+    } else {
+        for (auto id = coloured.rbegin(); id != coloured.rend(); ++id) table.set_default_colour(*id); // the table is shortest to cut from its end
     }
 }
 

@@ -38,7 +38,7 @@ void delete_edges(Scene& scene, const DeleteEdges& p, Context& context)
     for (const Face f : scene.selection->faces) selected[f.index] = true;
     bool lost = false;
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (i % 1024 == 0) context.progress.step(double(i) / double(edges.size()));
+        context.progress.step(double(i) / double(edges.size())); // one deletion may walk a face of any size
         if (!mesh.is_alive(edges[i])) continue;
         const auto beside = mesh.faces(edges[i]);
         mesh.delete_edge(edges[i], p.cleanup);
