@@ -32,6 +32,7 @@ const char* unit_word(Unit unit)
     case Unit::length: return "length";
     case Unit::ratio: return "ratio";
     case Unit::count: return "count";
+    case Unit::id: return "id";
     case Unit::none: break;
     }
     return "";

@@ -18,7 +18,7 @@
 
 namespace druse {
 
-enum class Unit { none, degrees, length, ratio, count };
+enum class Unit { none, degrees, length, ratio, count, id };
 const char* name(Unit unit); // as in messages: "degrees", "model units", …; empty for none
 
 /// The numbers a parameter takes.

@@ -330,7 +330,7 @@ struct SelectGroup {
 void register_select(Registry& registry)
 {
     add_select<Face>(registry, "faces", "select.faces faces=group:3+sides:5 mode=add");
-    add_select<Edge>(registry, "edges", "select.edges edges=4~9,9~12");
+    add_select<Edge>(registry, "edges", "select.edges edges=0~1,1~2");
     add_select<Vertex>(registry, "vertices", "select.vertices vertices=valence:3");
     registry.add(define<GrowSelection>("select.grow", "Add the neighbours of what is selected")
                      .param(&GrowSelection::of, "of", part_words, "the part of the selection that grows")
@@ -359,7 +359,7 @@ void register_select(Registry& registry)
     registry.add(define<SelectSimilar>("select.similar", "Select what is like the selected faces, edges or vertices")
                      .param(&SelectSimilar::by, "by", words({"sides", "area", "normal", "group", "length", "valence"}),
                             "what is compared: sides, area, normal and group of faces, length of edges, valence of vertices")
-                     .param(&SelectSimilar::tolerance, "tolerance", Unit::none, at_least(0),
+                     .param(&SelectSimilar::tolerance, "tolerance", Unit::ratio, at_least(0),
                             "largest difference: a fraction of area or length, degrees between normals")
                      .example("select.similar by=area tolerance=0.01")
                      .cites("Druse")
@@ -376,7 +376,7 @@ void register_select(Registry& registry)
                          });
                      }));
     registry.add(define<SelectGroup>("select.group", "Select all faces of groups")
-                     .param(&SelectGroup::ids, "ids", Unit::none, {0, 2147483647}, words({"all"}), "group ids; all: every face that has a group")
+                     .param(&SelectGroup::ids, "ids", Unit::id, {0, 2147483647}, words({"all"}), "group ids; all: every face that has a group")
                      .required()
                      .param(&SelectGroup::mode, "mode", mode_words, mode_help)
                      .example("select.group ids=1,2 mode=add")
