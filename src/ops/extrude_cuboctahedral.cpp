@@ -31,7 +31,7 @@ Operator extrude_cuboctahedral_operator()
 {
     return define_extrusion<Cuboctahedral>("extrude.cuboctahedral", "Raise triangles and quads on each face, as in the cuboctahedron")
         .example("extrude.cuboctahedral faces=sides:4 heights=0.9,1.3")
-        .cites("Landreneau 2005, III.2.6");
+        .cites("Landreneau 2005, III.3.1");
 }
 
 } // namespace druse

@@ -62,7 +62,7 @@ Operator extrude_rhombicuboctahedral_operator()
     return define_extrusion<Rhombicuboctahedral>("extrude.rhombicuboctahedral", "Raise rings of quads with triangles at the corners on each face")
         .alias("extrude.small_rhombicuboctahedral")
         .example("extrude.rhombicuboctahedral faces=all heights=0.5,0.7,0.5")
-        .cites("Landreneau 2005, III.2.7");
+        .cites("Landreneau 2005, III.3.2");
 }
 
 } // namespace druse

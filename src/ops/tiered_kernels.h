@@ -7,7 +7,7 @@
 
 namespace druse {
 
-// The seven tiered extrusions of Landreneau's *Crystal-like geometric modeling* (2005), chapter III.2, as kernels for extrude_faces().
+// The seven tiered extrusions of Landreneau's *Crystal-like geometric modeling* (2005), chapters III.2 and III.3, as kernels for extrude_faces().
 //
 // With its default angle and heights each of them turns a regular triangle, square or pentagon into the regular solid it is named
 // after. On any other face the connectivity is the same; angle and heights keep their meaning edge by edge. n is the number of
