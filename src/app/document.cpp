@@ -314,7 +314,9 @@ std::string Document::script(const fs::path& folder) const
         const Operator& op = registry_->get(command.name);
         for (auto& [key, value] : command.arguments) {
             const Parameter* p = op.find(key);
-            if (p && p->names_file(value)) value = renamed(value, step.folder, folder);
+            if (!p || !p->names_file(value)) continue;
+            value = renamed(value, step.folder, folder);
+            if (!p->names_file(value)) value.insert(0, "./"); // or it would name something built in
         }
         text += bind(*registry_, command).text() + "\n";
     }

@@ -181,12 +181,23 @@ private:
     std::string unexpected()
     {
         const std::string word = app_.remaining(true).front();
+        if (app_.get_subcommands().empty() && !window_.file.empty() && !word.starts_with('-')) return unknown_command();
         if (!word.starts_with('-')) return fmt::format("'{}' is one argument too many", word);
         std::vector<std::string> names;
         for (const CLI::Option* option : chosen().get_options())
             for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
         const std::string best = nearest(word, names);
         return best.empty() ? fmt::format("unknown option '{}'", word) : fmt::format("unknown option '{}'; did you mean '{}'?", word, best);
+    }
+
+    /// The window opens one file, so two words are most likely a command that there is not.
+    std::string unknown_command() const
+    {
+        std::vector<std::string> names;
+        for (const CLI::App* command : {apply_app_, info_app_, render_app_, ops_app_}) names.push_back(command->get_name());
+        const std::string best = nearest(window_.file, names);
+        return best.empty() ? fmt::format("unknown command '{}'; expected {}", window_.file, listing(names))
+                            : fmt::format("unknown command '{}'; did you mean '{}'?", window_.file, best);
     }
 
     CLI::App app_{"Druse models crystal-like shapes from meshes."};
