@@ -1,0 +1,132 @@
+#include "cli/program.h"
+#include "support/folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace druse {
+namespace {
+
+using namespace test;
+using Json = nlohmann::json;
+
+const std::string models = DRUSE_MODELS;
+
+void expect_error(const std::vector<std::string>& arguments, const std::string& line)
+{
+    const Ended ended = druse(arguments);
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_EQ(ended.err, "druse: " + line + "\n");
+    EXPECT_EQ(ended.out, "");
+}
+
+TEST(Info, PrintsTheFactsOfAModel)
+{
+    const Ended json = druse({"info", models + "/colored_cube.obj", "--json"});
+    EXPECT_EQ(json.status, 0);
+    EXPECT_EQ(json.err, "");
+    const Json facts = Json::parse(json.out);
+    EXPECT_EQ(facts["faces"], 6);
+    EXPECT_EQ(facts["watertight"], true);
+    EXPECT_EQ(facts["groups"].size(), 3u);
+    EXPECT_NEAR(facts["volume"], 8.0, 1e-12); // a cube of side 2
+
+    const Ended text = druse({"info", models + "/colored_cube.obj"});
+    EXPECT_NE(text.out.find("\nvolume                 8 mm³\n"), std::string::npos) << text.out;
+}
+
+TEST(Info, ReadsStandardInputAndScripts)
+{
+    const Folder folder;
+    folder.write("s.druse", "make.torus\nselect.faces faces=0,1\n");
+    const Json facts = Json::parse(druse({"info", "s.druse", "--json"}, folder.path()).out);
+    EXPECT_EQ(facts["genus"], 1);
+    EXPECT_EQ(facts["selection"]["faces"], Json({0, 1}));
+    const Json piped = Json::parse(druse({"info", "-", "--format", "druse", "--json"}, folder.path(), "make.cube\n").out);
+    EXPECT_EQ(piped["faces"], 6);
+}
+
+TEST(Info, SaysWhatIsWrong)
+{
+    expect_error({"info"}, "info: FILE is required");
+    expect_error({"info", "none.obj"}, "none.obj: no such file");
+    expect_error({"info", models}, models + ": is a folder, not a file");
+}
+
+TEST(Ops, ListsOperatorsInThreeForms)
+{
+    EXPECT_NE(druse({"ops"}).out.find("\n  extrude.dodecahedral "), std::string::npos);
+    const Json all = Json::parse(druse({"ops", "--json"}).out);
+    EXPECT_GT(all.size(), 50u);
+    EXPECT_EQ(Json::parse(druse({"ops", "dodecahedral", "--json"}).out)["name"], "extrude.dodecahedral");
+    EXPECT_TRUE(druse({"ops", "--markdown"}).out.starts_with("# Operators\n"));
+    expect_error({"ops", "make.cub"}, "unknown operator 'make.cub'; did you mean 'make.cube'?");
+}
+
+TEST(Render, DrawsAPicture)
+{
+    const Folder folder;
+    const Ended ended = druse({"render", models + "/colored_cube.obj", "-o", "a.png", "--size", "64x48", "--view", "-30,20", "--edges", "--groups"}, folder.path());
+    if (ended.status == 3) GTEST_SKIP() << ended.err;
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    const std::string png = folder.read("a.png");
+    ASSERT_GT(png.size(), 24u);
+    EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    EXPECT_EQ(static_cast<unsigned char>(png[19]), 64); // the width is the last byte of a big-endian number
+    EXPECT_EQ(static_cast<unsigned char>(png[23]), 48);
+    const Ended piped = druse({"render", models + "/colored_cube.obj", "-o", "-", "--size", "64x48", "--view", "-30,20", "--edges", "--groups"});
+    EXPECT_EQ(piped.out, png);
+}
+
+TEST(Render, DrawsAGraph)
+{
+    const Folder folder;
+    const Ended ended = druse({"render", models + "/body_centred_cell.obj", "-o", "a.png", "--size", "64x48"}, folder.path());
+    if (ended.status == 3) GTEST_SKIP() << ended.err;
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(folder.listing(), "a.png");
+}
+
+TEST(Render, SaysWhatIsWrong)
+{
+    const std::string cube = models + "/cube.obj";
+    expect_error({"render", cube}, "render: --output is required");
+    expect_error({"render", cube, "-o", "a.jpg"}, "render: -o a.jpg: expected a name that ends in .png");
+    expect_error({"render", cube, "-o", "a.png", "--size", "0x5"}, "render: --size 0x5: expected WxH, 1 to 8192 pixels each and at most 33554432 in all");
+    expect_error({"render", cube, "-o", "a.png", "--view", "up"},
+                 "render: --view up: expected iso, front, back, left, right, top, bottom or AZ,EL with EL from -90 to 90");
+    expect_error({"render", cube, "-o", "a.png", "--background", "red"}, "render: --background red: expected a colour #rrggbb");
+    expect_error({"render", "none.obj", "-o", "a.png"}, "none.obj: no such file");
+}
+
+TEST(Program, HelpsAndTellsItsVersion)
+{
+    EXPECT_TRUE(druse({"--version"}).out.starts_with("druse "));
+    for (const char* command : {"apply", "info", "render", "ops"}) {
+        const Ended help = druse({command, "--help"});
+        EXPECT_EQ(help.status, 0);
+        EXPECT_NE(help.out.find(command), std::string::npos);
+        EXPECT_NE(druse({"--help"}).out.find(command), std::string::npos);
+    }
+}
+
+TEST(Program, SaysWhatIsWrongWithItsUse)
+{
+    expect_error({"--bogus"}, "unknown option '--bogus'");
+    expect_error({"frob", "x"}, "unknown command 'frob'; expected apply, info, render or ops");
+    expect_error({"aply", "x"}, "unknown command 'aply'; did you mean 'apply'?");
+    expect_error({"x.obj", "info", "y.obj"}, "expected everything behind 'info'");
+}
+
+TEST(Program, SaysThatItNeedsADisplayForItsWindow)
+{
+    const Ended ended = run_program("env", {"-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", DRUSE_PROGRAM, models + "/cube.obj"});
+    EXPECT_EQ(ended.status, 3);
+    EXPECT_TRUE(ended.err.starts_with("druse: ")) << ended.err;
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+}
+
+} // namespace
+} // namespace druse

@@ -1,0 +1,96 @@
+// What Druse writes, as programs that others wrote see it.
+
+#include "cli/program.h"
+#include "support/folder.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+namespace druse {
+namespace {
+
+using namespace test;
+
+/// The number behind a label in what admesh prints.
+double number_after(const std::string& text, const std::string& label)
+{
+    std::smatch found;
+    const std::regex pattern(label + R"(\s*:\s*(-?[0-9.]+))");
+    if (!std::regex_search(text, found, pattern)) {
+        ADD_FAILURE() << "no '" << label << "' in\n" << text;
+        return -1;
+    }
+    return std::stod(found[1]);
+}
+
+/// admesh answers 0 for broken files too, so its words are what counts.
+void expect_good_stl(const Folder& folder, const std::string& file, int parts, double volume)
+{
+    if (!is_installed("admesh")) GTEST_SKIP() << "admesh is not installed";
+    const Ended ended = run_program("admesh", {file}, folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(number_after(ended.out, "Total disconnected facets"), 0);
+    for (const char* label : {"Facets removed", "Facets added", "Facets reversed", "Degenerate facets", "Edges fixed", "Backwards edges"})
+        EXPECT_EQ(number_after(ended.out, label), 0) << label;
+    EXPECT_EQ(number_after(ended.out, "Number of parts"), parts);
+    EXPECT_NEAR(number_after(ended.out, "Volume"), volume, 1e-4 * volume);
+}
+
+double volume_of(const Folder& folder, const std::string& file)
+{
+    const Ended ended = druse({"info", file, "--json"}, folder.path());
+    std::smatch found;
+    const std::regex pattern(R"("volume": (-?[0-9.e+-]+))");
+    return std::regex_search(ended.out, found, pattern) ? std::stod(found[1]) : -1;
+}
+
+TEST(Printable, IsTheCubeWhoseSecondGroupGrew)
+{
+    const Folder folder;
+    const Ended ended = druse({"apply", std::string(DRUSE_MODELS) + "/colored_cube.obj", "-c", "extrude.dodecahedral faces=group:2 iterations=2", "-o",
+                               "out.stl", "-o", "out.obj"},
+                              folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(folder.listing(), "out.mtl out.obj out.stl");
+
+    // Group 2 is one square: each iteration adds 12 vertices, 20 edges and 8 faces. Groups 1 and 3 (1 + 4 faces) are as they were, the others
+    // are new: G = 3, so the first iteration gives 4…12 (4 is the top, which the second replaces), the second 13 (the top) and 14…21.
+    const Ended info = druse({"info", "out.obj", "--json"}, folder.path());
+    EXPECT_NE(info.out.find("\"vertices\": 32,"), std::string::npos);
+    EXPECT_NE(info.out.find("\"edges\": 52,"), std::string::npos);
+    EXPECT_NE(info.out.find("\"faces\": 22,"), std::string::npos);
+    EXPECT_NE(info.out.find("\"watertight\": true"), std::string::npos);
+    std::regex id(R"re("(\d+)": \{\s*"faces": (\d+))re");
+    std::string groups;
+    for (std::sregex_iterator it(info.out.begin(), info.out.end(), id), end; it != end; ++it) groups += (*it)[1].str() + ":" + (*it)[2].str() + " ";
+    EXPECT_EQ(groups, "1:1 3:4 5:1 6:1 7:1 8:1 9:1 10:1 11:1 12:1 13:1 14:1 15:1 16:1 17:1 18:1 19:1 20:1 21:1 ");
+
+    expect_good_stl(folder, "out.stl", 1, volume_of(folder, "out.obj"));
+    if (is_installed("assimp")) {
+        for (const char* file : {"out.stl", "out.obj"}) {
+            const Ended assimp = run_program("assimp", {"info", file}, folder.path());
+            EXPECT_EQ(assimp.status, 0) << assimp.out;
+        }
+    }
+}
+
+TEST(Printable, IsEveryExtrusionOfASolid)
+{
+    const Folder folder;
+    for (const char* pattern : {"tetrahedral", "cubical", "octahedral", "dodecahedral", "icosahedral", "cuboctahedral", "rhombicuboctahedral"}) {
+        SCOPED_TRACE(pattern);
+        ASSERT_EQ(druse({"apply", "-c", "make.dodecahedron", "-c", std::string("extrude.") + pattern + " faces=0,5", "-o", "a.stl", "-o", "a.obj"}, folder.path()).status, 0);
+        expect_good_stl(folder, "a.stl", 1, volume_of(folder, "a.obj"));
+    }
+}
+
+TEST(Printable, HasAsManyPartsAsComponents)
+{
+    const Folder folder;
+    ASSERT_EQ(druse({"apply", "-c", "make.cube", "-c", "mesh.transform move=5,0,0", "-c", "make.torus", "-o", "a.stl", "-o", "a.obj"}, folder.path()).status, 0);
+    expect_good_stl(folder, "a.stl", 2, volume_of(folder, "a.obj"));
+}
+
+} // namespace
+} // namespace druse
