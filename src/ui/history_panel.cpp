@@ -34,6 +34,13 @@ std::string HistoryPanel::text(int row) const
     return display.steps[std::size_t(row) - 1];
 }
 
+/// The beginning is said in a few words; its command is long, and the same in every session.
+std::string HistoryPanel::label(int row) const
+{
+    if (row > 0 || session_.display().beginning.empty()) return text(row);
+    return "Open " + session_.file().filename().string();
+}
+
 void HistoryPanel::draw_row(int row, int x, int y, int w, int h)
 {
     const Layout& l = layout();
@@ -44,7 +51,7 @@ void HistoryPanel::draw_row(int row, int x, int y, int w, int h)
         fl_pie(x + l.px(5), y + (h - dot) / 2, dot, dot, 0, 360);
     }
     fl_font(FL_HELVETICA, l.small_font());
-    draw_text(text(row), x + l.px(15), y, w - l.px(15) - l.gap(), h,
+    draw_text(label(row), x + l.px(15), y, w - l.px(15) - l.gap(), h,
               here ? theme().on_accent : undone || lost ? theme().faint_text : theme().text);
 }
 

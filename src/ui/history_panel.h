@@ -19,6 +19,7 @@ private:
     void press_row(int row, int x, int button, bool twice) override;
     bool is_selected(int row) const override { return row == int(session_.display().done); }
     std::string tip(int row) const override { return text(row); }
+    std::string label(int row) const;
     void drop_row(int from, int to) override;
     std::string text(int row) const;
     void open_menu(int row);

@@ -19,8 +19,9 @@ struct Layout {
     int least_width() const { return px(960); }
     int least_height() const { return px(640); }
 
-    int left_width() const { return px(288); }
-    int right_width() const { return px(252); }
+    /// The side columns in a window of that width.
+    int left_width(int window) const { return window < px(1100) ? px(256) : px(288); }
+    int right_width(int window) const { return window < px(1100) ? px(216) : px(252); }
     int least_side_width() const { return px(200); }
     int least_view_width() const { return px(320); }
     int tree_height() const { return px(300); }

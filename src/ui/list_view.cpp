@@ -12,14 +12,13 @@
 
 namespace druse::ui {
 
-ListView::ListView(int x, int y, int w, int h) : Fl_Group(x, y, w, h), bar_(x + w - layout().scrollbar(), y, layout().scrollbar(), h)
+ListView::ListView(int x, int y, int w, int h) : Fl_Group(x, y, w, h)
 {
-    bar_.callback([](Fl_Widget* bar, void*) { bar->parent()->redraw(); });
-    bar_.slider(FL_FLAT_BOX);
-    bar_.color(theme().sunken);
-    bar_.selection_color(theme().border);
-    bar_.hide();
     end();
+    bar_.callback([](Fl_Widget* bar, void*) { bar->parent()->redraw(); });
+    bar_.color(theme().sunken);
+    bar_.hide();
+    add(bar_);
     resizable(nullptr);
     box(FL_FLAT_BOX);
     color(theme().sunken);
@@ -38,15 +37,8 @@ void ListView::resize(int x, int y, int w, int h)
 
 void ListView::refresh()
 {
-    const int total = rows() * row_height();
-    if (total > h() && h() > 0) {
-        bar_.show();
-        bar_.linesize(row_height());
-        bar_.value(std::clamp(bar_.value(), 0, total - h()), h(), 0, total);
-    } else {
-        bar_.value(0, h(), 0, std::max(total, 1));
-        bar_.hide();
-    }
+    bar_.set(rows() * row_height(), row_height() / 3);
+    bar_.is_needed() ? bar_.show() : bar_.hide();
     if (current_ >= rows()) current_ = -1;
     if (hovered_ >= rows()) hovered_ = -1;
     redraw();
@@ -54,12 +46,10 @@ void ListView::refresh()
 
 void ListView::scroll_to(int row)
 {
-    const int top = row * row_height();
-    int value = bar_.value();
-    if (top < value) value = top;
-    if (top + row_height() > value + h()) value = top + row_height() - h();
-    bar_.value(value, h(), 0, std::max(rows() * row_height(), 1));
     refresh();
+    const int top = row * row_height();
+    if (top < bar_.top()) bar_.set_top(top);
+    else if (top + row_height() > bar_.top() + h()) bar_.set_top(top + row_height() - h());
 }
 
 void ListView::set_current(int row)
@@ -71,7 +61,7 @@ void ListView::set_current(int row)
 
 int ListView::row_at(int y) const
 {
-    const int row = (y - this->y() + bar_.value()) / row_height();
+    const int row = (y - this->y() + bar_.top()) / row_height();
     return y >= this->y() && y < this->y() + h() && row < rows() ? row : -1;
 }
 
@@ -79,9 +69,9 @@ void ListView::draw()
 {
     draw_box();
     fl_push_clip(x(), y(), list_width(), h());
-    const int first = bar_.value() / row_height();
+    const int first = bar_.top() / row_height();
     for (int row = first; row < rows(); ++row) {
-        const int top = y() + row * row_height() - bar_.value();
+        const int top = y() + row * row_height() - bar_.top();
         if (top >= y() + h()) break;
         const bool selected = is_selected(row);
         if (selected || row == hovered_) {
@@ -100,7 +90,7 @@ void ListView::show_tip()
 {
     tip_ = hovered_ >= 0 ? tip(hovered_) : std::string();
     if (tip_.empty()) Fl_Tooltip::exit(this);
-    else Fl_Tooltip::enter_area(this, 0, hovered_ * row_height() - bar_.value(), list_width(), row_height(), tip_.c_str());
+    else Fl_Tooltip::enter_area(this, 0, hovered_ * row_height() - bar_.top(), list_width(), row_height(), tip_.c_str());
 }
 
 int ListView::handle(int event)

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "ui/scroll_bar.h"
+
 #include <FL/Fl_Group.H>
-#include <FL/Fl_Scrollbar.H>
 
 #include <string>
 
@@ -42,7 +43,7 @@ private:
     int list_width() const;
     void show_tip();
 
-    Fl_Scrollbar bar_;
+    ScrollBar bar_;
     std::string tip_;
     int current_ = -1, hovered_ = -1, dragged_ = -1;
 };

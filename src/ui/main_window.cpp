@@ -38,8 +38,16 @@ MainWindow::MainWindow(Session& session, Preferences& preferences, const Options
       files_(session, preferences), tree_(session, 0, 0, 1, 1), parameters_(session, 0, 0, 1, 1), view_bar_(session, view_, 0, 0, 1, 1),
       no_view_(0, 0, 1, 1), viewport_(session, view_, 0, 0, 10, 10), history_(session, 0, 0, 1, 1), groups_(session, 0, 0, 1, 1),
       facts_(session, 0, 0, 1, 1), history_section_("History", history_), groups_section_("Groups", groups_),
-      facts_section_("Print check", facts_), tree_divider_(true), status_(session, 0, 0, 1, 1), left_width_(layout().left_width()),
-      right_width_(layout().right_width()), tree_height_(layout().tree_height())
+      facts_section_("Print check", facts_), tree_divider_(true), status_(session, 0, 0, 1, 1), show_progress_([this] {
+          status_.update_progress();
+          if (session_.busy()) show_progress_.start(progress_tick);
+      }),
+      count_facts_([this] { session_.count_facts(); }), forget_failed_([this] {
+          session_.forget_failed_faces();
+          viewport_.redraw();
+      }),
+      animate_([this] { view_.animate(seconds()); }), give_up_view_([this] { show_missing_view(); }), left_width_(layout().left_width(w)),
+      right_width_(layout().right_width(w)), tree_height_(layout().tree_height())
 {
     end();
     Fl_Group::current(nullptr);
@@ -74,7 +82,7 @@ MainWindow::MainWindow(Session& session, Preferences& preferences, const Options
     view_.on_event = [this](const std::string& line) { event(line); };
     viewport_.on_frame = [this](int frame) {
         event("frame " + std::to_string(frame));
-        if (view_.is_animating()) Fl::add_timeout(frame_time, [](void* p) { static_cast<MainWindow*>(p)->view_.animate(seconds()); }, this);
+        if (view_.is_animating()) animate_.start(frame_time);
     };
     viewport_.on_drop = [this](const std::string& uris) { files_.drop(uris); };
     menu_->on_operator = [this](const Operator& op) { choose(op); };
@@ -96,7 +104,11 @@ MainWindow::~MainWindow()
     session_.on_event = nullptr;
     session_.on_output = nullptr;
     session_.wake = nullptr;
-    Fl::remove_timeout(nullptr, this);
+    view_.on_event = nullptr;
+    hide();
+    // As its parts go one by one, FLTK looks for another to give the pointer to: there is none from here on.
+    closing_ = true;
+    while (children() > 0) remove(0);
 }
 
 // --- where everything is ------------------------------------------------------------------------------------------------------
@@ -181,28 +193,10 @@ void MainWindow::refresh()
 
 void MainWindow::later()
 {
-    if (!viewport_.reason().empty() && viewport_.visible())
-        Fl::add_timeout(0, [](void* p) { static_cast<MainWindow*>(p)->show_missing_view(); }, this);
-
-    const auto tick = [](void* p) {
-        auto* self = static_cast<MainWindow*>(p);
-        self->status_.update_progress();
-        if (self->session_.busy()) self->later();
-    };
-    Fl::remove_timeout(tick, this);
-    if (session_.busy()) Fl::add_timeout(progress_tick, tick, this);
-
-    const auto count = [](void* p) { static_cast<MainWindow*>(p)->session_.count_facts(); };
-    Fl::remove_timeout(count, this);
-    if (!session_.busy() && !session_.display().facts) Fl::add_timeout(facts_delay, count, this);
-
-    const auto forget = [](void* p) {
-        auto* self = static_cast<MainWindow*>(p);
-        self->session_.forget_failed_faces();
-        self->viewport_.redraw();
-    };
-    Fl::remove_timeout(forget, this);
-    if (!session_.failed_faces().empty()) Fl::add_timeout(failed_face_time, forget, this);
+    if (!viewport_.reason().empty() && viewport_.visible()) give_up_view_.start(0);
+    if (session_.busy()) show_progress_.start(progress_tick);
+    if (!session_.busy() && !session_.display().facts) count_facts_.start(facts_delay);
+    if (!session_.failed_faces().empty()) forget_failed_.start(failed_face_time);
 }
 
 /// A file that was opened, and the first shape in an empty document, is framed; after that the camera is the person's.
@@ -230,6 +224,7 @@ void MainWindow::show_missing_view()
 
 int MainWindow::handle(int event)
 {
+    if (closing_) return 0;
     if (event == FL_SHORTCUT) {
         if (Fl::event_key() == FL_Escape) {
             escape();

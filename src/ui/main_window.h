@@ -13,6 +13,7 @@
 #include "ui/section.h"
 #include "ui/session.h"
 #include "ui/status_bar.h"
+#include "ui/timer.h"
 #include "ui/view.h"
 #include "ui/view_bar.h"
 #include "ui/viewport.h"
@@ -92,10 +93,13 @@ private:
     Divider left_divider_, right_divider_, tree_divider_;
     StatusBar status_;
 
+    Timer show_progress_, count_facts_, forget_failed_, animate_, give_up_view_;
+
     int left_width_, right_width_, tree_height_;
     bool left_open_ = true, right_open_ = true;
     std::filesystem::path framed_file_;
     bool framed_ = false;
+    bool closing_ = false;
 };
 
 } // namespace druse::ui

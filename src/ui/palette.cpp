@@ -51,6 +51,11 @@ public:
         search();
     }
 
+    void show() override
+    {
+        Fl_Double_Window::show();
+        field_.take_focus();
+    }
     /// What was chosen, once the window is gone.
     std::function<void()> chosen;
 

@@ -12,20 +12,12 @@
 namespace druse::ui {
 
 ParameterPanel::ParameterPanel(Session& session, int x, int y, int w, int h)
-    : Panel(x, y, w, h), session_(session), scroll_(x, y, w, h), live_(0, 0, 1, 1, "live"), apply_(0, 0, 1, 1, "Apply"),
+    : Panel(x, y, w, h), session_(session), live_(0, 0, 1, 1, "live"), apply_(0, 0, 1, 1, "Apply"),
       reset_(0, 0, 1, 1, "Reset"), help_(0, 0, 1, 1, "?")
 {
     end();
     box(FL_FLAT_BOX);
     color(theme().window);
-    scroll_.end();
-    scroll_.type(Fl_Scroll::VERTICAL);
-    scroll_.box(FL_FLAT_BOX);
-    scroll_.color(theme().window);
-    scroll_.scrollbar.slider(FL_FLAT_BOX);
-    scroll_.scrollbar.color(theme().window);
-    scroll_.scrollbar.selection_color(theme().border);
-
     live_.down_box(FL_DOWN_BOX);
     live_.color(theme().sunken);
     live_.selection_color(theme().accent);
@@ -56,29 +48,13 @@ void ParameterPanel::arrange()
 {
     const Layout& l = layout();
     const int footer = l.button_height() + 2 * l.gap(), inner = w() - 2 * l.margin();
-    scroll_.resize(x() + l.margin(), y() + header_height(), inner + l.margin(), std::max(0, h() - header_height() - footer));
+    scroll_.resize(x() + l.margin(), y() + header_height(), inner, std::max(0, h() - header_height() - footer));
     const int bottom = y() + h() - l.gap() - l.button_height(), left = x() + l.margin();
     const int help = l.button_height(), live = l.px(58), width = (inner - live - help - 2 * l.gap()) / 2;
     live_.resize(left, bottom, live, l.button_height());
     apply_.resize(left + live, bottom, width, l.button_height());
     reset_.resize(apply_.x() + width + l.gap(), bottom, width, l.button_height());
     help_.resize(left + inner - help, bottom, help, l.button_height());
-    arrange_rows();
-}
-
-void ParameterPanel::arrange_rows()
-{
-    const int total = int(rows_.size()) * layout().row_height();
-    const bool bar = total > scroll_.h();
-    const int width = scroll_.w() - (bar ? layout().scrollbar() + layout().gap() : layout().margin());
-    const int top = scroll_.y() - (bar ? scroll_.yposition() : 0);
-    if (!bar && scroll_.yposition() != 0) scroll_.scroll_to(0, 0);
-    // Without children Fl_Scroll takes a corner of the screen for their place, and offers to scroll there.
-    if (rows_.empty()) scroll_.hide();
-    else scroll_.show();
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-        rows_[i]->resize(scroll_.x(), top + int(i) * layout().row_height(), width, layout().row_height());
-    scroll_.redraw();
 }
 
 void ParameterPanel::draw()
@@ -110,24 +86,16 @@ void ParameterPanel::refresh()
     if (shown_) {
         show_values();
         apply_.tooltip(acts_on_click(*shown_) ? "Run it on what its fields say, the selection as a rule (Enter)" : "Run it (Enter)");
-        apply_.activate();
-        reset_.activate();
-        help_.activate();
-    } else {
-        apply_.deactivate();
-        reset_.deactivate();
-        help_.deactivate();
     }
     live_.value(session_.live() ? 1 : 0);
-    if (shown_) live_.show();
-    else live_.hide();
+    for (Fl_Widget* button : std::initializer_list<Fl_Widget*>{&live_, &apply_, &reset_, &help_}) shown_ ? button->show() : button->hide();
 }
 
 void ParameterPanel::make_rows()
 {
-    for (const auto& row : rows_) scroll_.remove(*row);
+    for (const auto& row : rows_) scroll_.remove_row(*row);
     rows_.clear();
-    scroll_.scroll_to(0, 0);
+    scroll_.scroll_to_top();
     if (shown_) {
         Fl_Group::current(nullptr);
         for (const Control& control : controls_of(*shown_)) {
@@ -142,7 +110,7 @@ void ParameterPanel::make_rows()
                 const std::string text = session_.arguments().command();
                 Fl::copy(text.c_str(), int(text.size()), 1);
             };
-            scroll_.add(row);
+            scroll_.add_row(row);
         }
     }
     arrange();

@@ -2,11 +2,11 @@
 
 #include "ui/panel.h"
 #include "ui/parameter_row.h"
+#include "ui/scroll_area.h"
 #include "ui/session.h"
 
 #include <FL/Fl_Button.H>
 #include <FL/Fl_Check_Button.H>
-#include <FL/Fl_Scroll.H>
 
 #include <memory>
 #include <vector>
@@ -34,13 +34,12 @@ protected:
 private:
     void make_rows();
     void show_values();
-    void arrange_rows();
     void set(const Control& control, const std::string& text);
     int header_height() const;
 
     Session& session_;
     const Operator* shown_ = nullptr;
-    Fl_Scroll scroll_;
+    ScrollArea scroll_;
     std::vector<std::unique_ptr<ParameterRow>> rows_; // after what they are in, so that they go first
     Fl_Check_Button live_;
     Fl_Button apply_, reset_, help_;

@@ -18,7 +18,6 @@ namespace druse::ui {
 
 namespace {
 
-constexpr double tick = 0.01; // seconds
 constexpr int longest_wait = 1000; // ticks
 
 /// Puts an event of the mouse in, as if it had come from the display.
@@ -67,18 +66,11 @@ void send_key(MainWindow& window, const std::string& name)
 
 } // namespace
 
-Replay::Replay(MainWindow& window, const std::string& file) : window_(window), file_(file)
+Replay::Replay(MainWindow& window, const std::string& file) : window_(window), file_(file), timer_([this] { next(); })
 {
     std::ifstream in(file);
     if (!in) throw InputError(file, "cannot be read");
     for (std::string line; std::getline(in, line);) lines_.push_back(line);
-}
-
-Replay::~Replay() { Fl::remove_timeout(nullptr, this); }
-
-void Replay::start()
-{
-    Fl::add_timeout(tick, [](void* p) { static_cast<Replay*>(p)->next(); }, this);
 }
 
 void Replay::next()

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/timer.h"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -20,11 +22,8 @@ class Replay {
 public:
     /// @throws InputError if the file cannot be read
     Replay(MainWindow& window, const std::string& file);
-    ~Replay();
-    Replay(const Replay&) = delete;
-    Replay& operator=(const Replay&) = delete;
 
-    void start();
+    void start() { timer_.start(tick); }
     /// A line of the event log.
     void follow(const std::string& line) { events_.push_back(line); }
     /// What went wrong, with the line; empty if nothing did.
@@ -32,6 +31,7 @@ public:
     std::function<void()> on_end;
 
 private:
+    static constexpr double tick = 0.01; // seconds
     void next();
     void play(const std::string& line);
     bool awaited(const std::string& event);
@@ -44,6 +44,7 @@ private:
     std::vector<std::string> events_; // since the last wait
     int ticks_waited_ = 0;
     std::string failure_;
+    Timer timer_;
 };
 
 } // namespace druse::ui

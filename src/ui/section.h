@@ -12,6 +12,7 @@ class Section : public Panel {
 public:
     /// Takes `content` in. Its height, when it is open, is for whoever places the section.
     Section(std::string title, Fl_Widget& content);
+    ~Section() override { remove(content_); } // it belongs to whoever made it
 
     bool is_open() const { return open_; }
     void set_open(bool open);

@@ -52,6 +52,7 @@ void Session::choose(const Operator* op)
     bound_.reset();
     if (op) arguments_.try_emplace(op, *op);
     message_ = {};
+    event(op ? "chosen " + op->name : "chosen nothing");
     changed();
 }
 

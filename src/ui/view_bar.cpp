@@ -80,7 +80,7 @@ void ViewBar::arrange()
     int right = x() + w() - l.margin();
     for (std::size_t i = switches_.size(); i-- > 0;) {
         Fl_Button& button = *switches_[i].button;
-        const int width = static_cast<int>(fl_width(button.label())) + 2 * l.margin();
+        const int width = static_cast<int>(fl_width(button.label())) + 2 * (w() < l.px(560) ? l.gap() : l.margin());
         right -= width;
         button.resize(right, top, width, height);
         if (i == elements) right -= l.margin() + l.gap();

@@ -1,0 +1,38 @@
+#include "ui/arguments.h"
+
+#include "app/registry.h"
+
+#include <gtest/gtest.h>
+
+namespace druse::ui {
+namespace {
+
+TEST(Arguments, NameOnlyWhatDiffersFromTheDefaults)
+{
+    Arguments a(all_operators().get("extrude.cubical"));
+    EXPECT_EQ(a.command(), "extrude.cubical");
+    a.set("angle", "80");
+    EXPECT_EQ(a.command(), "extrude.cubical angle=80");
+    EXPECT_EQ(a.command({{"faces", "3"}}), "extrude.cubical faces=3 angle=80");
+    a.set("angle", "90");
+    EXPECT_EQ(a.command(), "extrude.cubical");
+}
+
+TEST(Arguments, RefuseWhatTheOperatorWouldRefuse)
+{
+    Arguments a(all_operators().get("extrude.cubical"));
+    EXPECT_THROW(a.set("angle", "270"), CommandError);
+    EXPECT_THROW(a.set("angle", "steep"), CommandError);
+    EXPECT_THROW(a.set("grouped", "maybe"), CommandError);
+    EXPECT_EQ(a.command(), "extrude.cubical");
+}
+
+TEST(Arguments, QuoteWhatACommandMustQuote)
+{
+    Arguments a(all_operators().get("document.open"));
+    a.set("file", "my models/cube.obj");
+    EXPECT_EQ(a.command(), "document.open file=\"my models/cube.obj\"");
+}
+
+} // namespace
+} // namespace druse::ui

@@ -1,0 +1,358 @@
+#!/usr/bin/env python3
+"""Drives the window of Druse with real mouse and keyboard events.
+
+usage: gui_test.py SCENARIO DRUSE MODELS PICTURES
+
+Needs a display (on_display.sh makes one). What happened is read from the event log, never guessed from pictures; the pictures are
+kept to be looked at.
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+PATIENCE = 20  # seconds; a frame takes a third of one where the processor draws it
+
+# Places in a window of 1280 by 800, as src/ui/layout.h has them.
+SEARCH_FIELD = (140, 46)
+VIEW_MIDDLE = (658, 420)
+SIDE_FACE = (540, 500)
+TOP_FACE = (658, 280)
+BESIDE_THE_MESH = (330, 700)
+PANEL_ROWS_TOP = 28 + 300 + 1 + 28 + 2 * 22
+ROW_HEIGHT = 26
+SLIDER = (176, 278)
+
+
+class Failure(Exception):
+    pass
+
+
+def check(condition, text):
+    if not condition:
+        raise Failure(text)
+
+
+def run(*command, **options):
+    return subprocess.run([str(word) for word in command], check=True, timeout=60, capture_output=True, text=True, **options).stdout
+
+
+class Window:
+    """The program, its window and its event log."""
+
+    def __init__(self, druse, folder, pictures, arguments, geometry="1280x800+0+0"):
+        self.log_file = folder / "events.txt"
+        self.log_file.unlink(missing_ok=True)
+        self.seen = 0
+        self.pictures = pictures
+        environment = dict(os.environ, HOME=str(folder), XDG_STATE_HOME=str(folder / "state"), LP_NUM_THREADS="2")
+        self.errors = open(folder / "stderr.txt", "w+")
+        self.process = subprocess.Popen(
+            [str(druse), "--test", "--geometry", geometry, "--event-log", str(self.log_file)] + [str(a) for a in arguments],
+            cwd=folder, env=environment, stderr=self.errors)
+        self.wait("frame")
+        self.wait_anywhere("ready")
+        self.id = run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "Druse$").split()[0]
+
+    def lines(self):
+        return self.log_file.read_text().splitlines() if self.log_file.exists() else []
+
+    def alive(self):
+        return self.process.poll() is None
+
+    def wait_anywhere(self, start):
+        self.seen = 0
+        return self.wait(start)
+
+    def wait(self, start):
+        """Waits for a line that begins so, after those already waited for."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            lines = self.lines()
+            for i in range(self.seen, len(lines)):
+                if lines[i].startswith(start):
+                    self.seen = i + 1
+                    return lines[i]
+            if not self.alive():
+                self.errors.seek(0)
+                raise Failure(f"the program ended with {self.process.returncode}, waiting for '{start}': {self.errors.read()}")
+            time.sleep(0.02)
+        raise Failure(f"no '{start}' after line {self.seen} of the event log:\n" + "\n".join(self.lines()[-20:]))
+
+    def quiet(self, start, seconds=0.7):
+        """Makes sure that no such line comes."""
+        time.sleep(seconds)
+        lines = [line for line in self.lines()[self.seen:] if line.startswith(start)]
+        check(not lines, f"unexpected: {lines}")
+
+    def mouse(self, *words):
+        run("xdotool", *words)
+
+    def move(self, place):
+        self.mouse("mousemove", "--window", self.id, place[0], place[1])
+
+    def press(self, place, button=1):
+        self.move(place)
+        self.mouse("mousedown", button)
+
+    def release(self, button=1):
+        self.mouse("mouseup", button)
+
+    def click(self, place, button=1):
+        self.press(place, button)
+        self.release(button)
+
+    def keys(self, *names):
+        for name in names:
+            run("xdotool", "key", name)
+            time.sleep(0.05)
+
+    def type(self, text, delay=12):
+        run("xdotool", "type", "--delay", delay, text)
+
+    def picture(self, name):
+        """A picture of the whole screen: dialogs are windows of their own."""
+        time.sleep(0.3)
+        file = self.pictures / (name + ".png")
+        dump = subprocess.run(["timeout", "10", "xwd", "-silent", "-root"], check=True, capture_output=True).stdout
+        subprocess.run(["convert", "xwd:-", str(file)], input=dump, check=True, timeout=60)
+        return file
+
+    def choose(self, name):
+        """Through the search field, as a person would who does not know where it is."""
+        self.click(SEARCH_FIELD)
+        self.keys("ctrl+a")
+        self.type(name.split(".")[1])
+        self.keys("Return")
+        self.wait("chosen " + name)
+
+    def answer_file_dialog(self, title, path, proposed=""):
+        """Types the name of a file in the folder that the dialog shows; it would complete the names of others."""
+        run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", title)
+        time.sleep(0.5)
+        self.keys("End", *["BackSpace"] * len(proposed))
+        self.type(path.name, delay=80)
+        self.picture("dialog-" + title.lower().replace(" ", "-"))
+        self.keys("Return")
+
+    def close(self):
+        if self.alive():
+            self.process.terminate()
+            self.process.wait(timeout=10)
+        self.errors.close()
+
+
+def different_pixels(a, b):
+    done = subprocess.run(["compare", "-metric", "AE", "-fuzz", "2%", str(a), str(b), "null:"], capture_output=True, text=True, timeout=60)
+    return int(float(done.stderr.split()[0]))
+
+
+def row_of(druse, operator, parameter):
+    """The row of the panel that a parameter has, counted from 0: a list of n numbers has n of them."""
+    row = 0
+    listed = json.loads(run(druse, "ops", operator, "--json"))
+    entry = listed[0] if isinstance(listed, list) else listed.get("operators", [listed])[0]
+    for p in entry["parameters"]:
+        if p["name"] == parameter:
+            return row
+        row += len(str(p["default"]).split(",")) if "numbers" in p["type"] else 1
+    raise Failure(f"{operator} has no parameter {parameter}")
+
+
+def row_middle(row):
+    return PANEL_ROWS_TOP + row * ROW_HEIGHT + 11
+
+
+# --- scenarios -------------------------------------------------------------------------------------------------------------------
+
+
+def click_and_export(druse, folder, pictures):
+    """Open, press and release on a face, drag a slider, undo, redo, export: the file is that of `druse apply` with the history."""
+    window = Window(druse, folder, pictures, [folder / "colored_cube.obj"])
+    window.choose("extrude.dodecahedral")
+    window.move(BESIDE_THE_MESH)
+    idle = window.picture("1-idle")
+
+    window.press(SIDE_FACE)
+    pressed = window.wait("pressed face")
+    check("outlined 4" in pressed, f"the whole group should be outlined: {pressed}")
+    press = window.picture("2-press")
+    check(different_pixels(idle, press) > 1000, "a press should show")
+    check("applied" not in "\n".join(window.lines()), "a press must not act")
+    window.release()
+    # 4 sides of the cube: each adds 2 rows of 4 pentagons, so 6 + 4 * 8 faces.
+    window.wait("applied extrude.dodecahedral faces=38")
+    window.picture("3-release")
+
+    y = row_middle(row_of(druse, "extrude.dodecahedral", "angle"))
+    window.press(((SLIDER[0] + SLIDER[1]) // 2, y))
+    for x in range((SLIDER[0] + SLIDER[1]) // 2, SLIDER[0] + 40, -4):
+        window.move((x, y))
+    window.release()
+    window.wait("adjusted extrude.dodecahedral faces=38")
+    window.picture("4-slider")
+
+    window.keys("ctrl+z")
+    window.wait("applied document.undo faces=6")
+    window.picture("5-undo")
+    window.keys("ctrl+shift+z")
+    window.wait("applied document.redo faces=38")
+
+    for name in ("window.stl", "window.obj"):
+        window.keys("ctrl+e")
+        window.answer_file_dialog("Export", folder / name, "colored_cube.stl")
+        window.wait("exported " + str(folder / name))
+    window.keys("ctrl+shift+s")
+    window.answer_file_dialog("Save as", folder / "history.druse", "colored_cube.obj")
+    window.wait("saved " + str(folder / "history.druse"))
+    window.picture("6-exported")
+    window.close()
+
+    script = (folder / "history.druse").read_text().splitlines()
+    steps = [line for line in script if line.startswith("extrude.")]
+    check(len(steps) == 1 and "angle=" in steps[0], f"one extrusion with the slider's angle should be recorded: {script}")
+    run(druse, "apply", "-s", folder / "history.druse", "-o", folder / "terminal.stl", "-o", folder / "terminal.obj")
+    for kind in ("stl", "obj"):
+        ours, theirs = (folder / f"window.{kind}").read_bytes(), (folder / f"terminal.{kind}").read_bytes()
+        if kind == "obj":  # the name of its material library is that of the file
+            ours, theirs = ours.replace(b"window", b"terminal"), theirs
+        check(ours == theirs, f"the exported .{kind} is not the one that `druse apply` makes")
+
+
+def cancel(druse, folder, pictures):
+    """Nothing happens when a press is taken back; an error is a line and not the end."""
+    window = Window(druse, folder, pictures, [folder / "colored_cube.obj"])
+    window.choose("extrude.cubical")
+
+    window.press(SIDE_FACE)
+    window.wait("pressed face")
+    window.move(TOP_FACE)
+    window.wait("pressed face 1")
+    window.move(BESIDE_THE_MESH)
+    window.wait("pressed nothing")
+    window.release()
+    window.quiet("applied")
+
+    window.press(SIDE_FACE)
+    window.wait("pressed face")
+    window.keys("Escape")
+    window.wait("click cancelled")
+    window.release()
+    window.quiet("applied")
+
+    window.press(SIDE_FACE)
+    window.wait("pressed face")
+    window.mouse("mousedown", 3)
+    window.wait("click cancelled")
+    window.mouse("mouseup", 3)
+    window.release()
+    window.quiet("applied")
+
+    window.keys("Escape", "Escape", "Escape")  # puts the tool down, and never closes the window
+    check(window.alive(), "Escape closed the window")
+    window.keys("ctrl+p")
+    time.sleep(0.5)
+    window.type("extrude.cubical faces=0 angle=270")
+    window.keys("Return")
+    window.wait("error extrude.cubical: angle=270: expected 1 to 179 degrees")
+    window.picture("error")
+    window.keys("ctrl+p")
+    time.sleep(0.5)
+    window.type("extrude.cubical faces=0 angle=100")
+    window.keys("Return")
+    window.wait("applied extrude.cubical faces=10")
+    window.close()
+
+
+def dialogs(druse, folder, pictures):
+    """Open by dialog, a good file and a broken one; menus by keyboard."""
+    (folder / "broken.obj").write_text("v 0 0 0\nf 1 2 9000\n")
+    window = Window(druse, folder, pictures, [folder / "cube.obj"])
+    window.click(BESIDE_THE_MESH)
+    window.keys("ctrl+o")
+    window.answer_file_dialog("Open", folder / "dodecahedron.obj")
+    window.wait("opened " + str(folder / "dodecahedron.obj"))
+    window.wait("frame")
+    window.keys("ctrl+o")
+    window.answer_file_dialog("Open", folder / "broken.obj")
+    error = window.wait("error")
+    check("broken.obj:2" in error, f"the line should be named: {error}")
+    window.picture("broken")
+    check(window.alive(), "a broken file ended the program")
+
+    window.keys("alt+e")
+    time.sleep(0.5)
+    window.picture("menu")
+    window.keys("Escape")
+    window.keys("a")
+    window.wait("applied select.faces faces=12")
+    window.close()
+
+
+def replay(druse, folder, pictures):
+    """A recording plays back to the same history."""
+    window = Window(druse, folder, pictures, ["--record", folder / "recording.txt", folder / "colored_cube.obj"])
+    window.choose("extrude.cubical")
+    window.click(TOP_FACE)
+    window.wait("applied extrude.cubical faces=10")
+    y = row_middle(row_of(druse, "extrude.cubical", "angle"))
+    window.click((SLIDER[0] + 30, y))
+    window.wait("adjusted extrude.cubical")
+    window.press(BESIDE_THE_MESH)
+    window.move((400, 640))
+    window.release()
+    window.keys("ctrl+shift+s")
+    window.answer_file_dialog("Save as", folder / "first.druse", "colored_cube.obj")
+    window.wait("saved")
+    window.close()
+
+    recording = (folder / "recording.txt").read_text()
+    check("push" in recording and "release" in recording and "save " in recording, f"too little was recorded:\n{recording}")
+    again = recording.replace("first.druse", "second.druse") + f"wait saved\nshot {pictures / 'replayed.png'}\nquit\n"
+    (folder / "again.txt").write_text(again)
+    subprocess.run([str(druse), "--test", "--geometry", "1280x800+0+0", "--replay", str(folder / "again.txt"), str(folder / "colored_cube.obj")],
+                   check=True, timeout=60, cwd=folder, env=dict(os.environ, HOME=str(folder)))
+    first, second = (folder / "first.druse").read_text(), (folder / "second.druse").read_text()
+    check(first == second, f"the histories differ:\n{first}\n{second}")
+    check((pictures / "replayed.png").stat().st_size > 1000, "no picture of the replay")
+
+
+def sizes(druse, folder, pictures):
+    """The window fits its least and its usual size, and can be drawn larger."""
+    for name, geometry, arguments in (("least", "960x640+0+0", []), ("usual", "1280x800+0+0", []), ("scaled", "1280x800+0+0", ["--ui-scale", "1.25"])):
+        window = Window(druse, folder, pictures, arguments + [folder / "star.obj"], geometry)
+        shape = run("xdotool", "getwindowgeometry", "--shell", window.id)
+        width, height = geometry.split("+")[0].split("x")
+        check(f"WIDTH={width}" in shape and f"HEIGHT={height}" in shape, f"{name}: {shape}")
+        window.picture(name)
+        window.close()
+
+
+def main():
+    scenario, druse, models, pictures = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4]) / sys.argv[1]
+    shutil.rmtree(pictures, ignore_errors=True)
+    pictures.mkdir(parents=True)
+    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, replay, sizes)}
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            folder = pathlib.Path(folder).resolve()
+            for model in models.iterdir():
+                shutil.copy(model, folder)
+            known[scenario](druse, folder, pictures)
+        except Failure as failure:
+            log = folder / "events.txt"
+            print(f"{scenario}: {failure}", file=sys.stderr)
+            if log.exists():
+                print("event log:\n" + log.read_text(), file=sys.stderr)
+            print(f"pictures: {pictures}", file=sys.stderr)
+            return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
