@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -60,45 +62,62 @@ struct Operator {
     const Parameter* find(std::string_view parameter) const;
 };
 
+/// What of a Definition does not depend on the type of its parameters.
+class Registration {
+public:
+    operator Operator() const { return operator_; }
+
+protected:
+    Registration(std::string_view name, std::string_view help, std::function<std::shared_ptr<void>()> make);
+    void add(Parameter&& parameter);
+    void add_exclusive(std::initializer_list<const char*> names);
+    void add_preset(std::string_view name, std::string_view arguments);
+
+    Operator operator_;
+};
+
 /// The typed way to an Operator: what `define` returns. P is a struct whose initialisers are the defaults; B below is P or a base of it.
 template <class P>
-class Definition {
+class Definition : public Registration {
 public:
-    Definition(std::string name, std::string help)
+    Definition(std::string_view name, std::string_view help)
+        : Registration(name, help, [] { return std::static_pointer_cast<void>(std::make_shared<P>()); })
     {
-        operator_.name = std::move(name);
-        operator_.help = std::move(help);
-        operator_.make = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };
     }
 
     /// A number, integer or list of them, with unit and range.
     template <class T, class B>
-    Definition& param(T B::*member, std::string name, Unit unit, Range range, std::string help)
+    Definition& param(T B::*member, std::string_view name, Unit unit, const Range& range, std::string_view help)
     {
-        return add(make_parameter<P, T>(member, std::move(name), std::move(help), Domain{unit, range, {}, {}}));
+        add(make_parameter<P>(member, name, help, Domain{unit, range, {}, {}}));
+        return *this;
     }
     /// A list with a range for its length (of numbers, or of anything else).
     template <class T, class B>
-    Definition& param(T B::*member, std::string name, Unit unit, Range range, Range length, std::string help)
+    Definition& param(T B::*member, std::string_view name, Unit unit, const Range& range, const Range& length, std::string_view help)
     {
-        return add(make_parameter<P, T>(member, std::move(name), std::move(help), Domain{unit, range, length, {}}));
+        add(make_parameter<P>(member, name, help, Domain{unit, range, length, {}}));
+        return *this;
     }
     /// One of a set of words: an enum with its values in order, or words beside another type.
     template <class T, class B>
-    Definition& param(T B::*member, std::string name, Words words, std::string help)
+    Definition& param(T B::*member, std::string_view name, Words words, std::string_view help)
     {
-        return add(make_parameter<P, T>(member, std::move(name), std::move(help), Domain{Unit::none, {}, {}, std::move(words.list)}));
+        add(make_parameter<P>(member, name, help, Domain{Unit::none, {}, {}, std::move(words.list)}));
+        return *this;
     }
     template <class T, class B>
-    Definition& param(T B::*member, std::string name, Unit unit, Range range, Words words, std::string help)
+    Definition& param(T B::*member, std::string_view name, Unit unit, const Range& range, Words words, std::string_view help)
     {
-        return add(make_parameter<P, T>(member, std::move(name), std::move(help), Domain{unit, range, {}, std::move(words.list)}));
+        add(make_parameter<P>(member, name, help, Domain{unit, range, {}, std::move(words.list)}));
+        return *this;
     }
     /// A switch, selector, id, point, colour, text or file.
     template <class T, class B>
-    Definition& param(T B::*member, std::string name, std::string help)
+    Definition& param(T B::*member, std::string_view name, std::string_view help)
     {
-        return add(make_parameter<P, T>(member, std::move(name), std::move(help), Domain{}));
+        add(make_parameter<P>(member, name, help, Domain{}));
+        return *this;
     }
 
     /// The parameter added last has no default and must be given.
@@ -109,14 +128,14 @@ public:
         return *this;
     }
     /// Exactly one of these parameters is given.
-    Definition& exactly_one(std::vector<std::string> names)
+    Definition& exactly_one(std::initializer_list<const char*> names)
     {
-        operator_.exclusive.push_back(std::move(names));
+        add_exclusive(names);
         return *this;
     }
-    Definition& preset(std::string name, std::string arguments)
+    Definition& preset(std::string_view name, std::string_view arguments)
     {
-        operator_.presets.push_back({std::move(name), std::move(arguments)});
+        add_preset(name, arguments);
         return *this;
     }
     /// χ grows by that much on every mesh and with all parameters.
@@ -126,19 +145,19 @@ public:
         return *this;
     }
     Definition& keeps_euler() { return euler_change(0); }
-    Definition& alias(std::string name)
+    Definition& alias(std::string_view name)
     {
-        operator_.aliases.push_back(std::move(name));
+        operator_.aliases.emplace_back(name);
         return *this;
     }
-    Definition& example(std::string command)
+    Definition& example(std::string_view command)
     {
-        operator_.example = std::move(command);
+        operator_.example = command;
         return *this;
     }
-    Definition& cites(std::string source)
+    Definition& cites(std::string_view source)
     {
-        operator_.source = std::move(source);
+        operator_.source = source;
         return *this;
     }
     Definition& query()
@@ -151,29 +170,18 @@ public:
         operator_.kind = Operator::Kind::travel;
         return *this;
     }
-    Definition& run(std::function<void(Scene&, const P&, Context&)> function)
+    template <class Function>
+    Definition& run(Function function)
     {
-        operator_.run = [function = std::move(function)](Scene& scene, const void* p, Context& context) {
-            function(scene, *static_cast<const P*>(p), context);
-        };
+        operator_.run = [function](Scene& scene, const void* p, Context& context) { function(scene, *static_cast<const P*>(p), context); };
         return *this;
     }
-
-    operator Operator() const { return operator_; }
-
-private:
-    Definition& add(Parameter parameter)
-    {
-        operator_.parameters.push_back(std::move(parameter));
-        return *this;
-    }
-    Operator operator_;
 };
 
 template <class P>
-Definition<P> define(std::string name, std::string help)
+Definition<P> define(std::string_view name, std::string_view help)
 {
-    return Definition<P>(std::move(name), std::move(help));
+    return Definition<P>(name, help);
 }
 
 /// A base for operators without parameters.

@@ -123,6 +123,16 @@ void check_length(std::size_t length, const Range& range, const char* what)
                                              : fmt::format("expected {} {}, found {}", range.text(), what, length));
 }
 
+Words words(std::initializer_list<const char*> list) { return {{list.begin(), list.end()}}; }
+
+void Parameter::describe(std::string_view its_name, std::string_view its_help, Domain its_domain, const void* defaults)
+{
+    name = its_name;
+    help = its_help;
+    domain = std::move(its_domain);
+    default_text = text(defaults);
+}
+
 std::string Parameter::type_text() const
 {
     switch (type) {

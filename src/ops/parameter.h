@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
@@ -59,7 +60,7 @@ struct OrWord {
 struct Words {
     std::vector<std::string> list;
 };
-inline Words words(std::initializer_list<std::string> list) { return {std::vector<std::string>(list)}; }
+Words words(std::initializer_list<const char*> list);
 
 /// What values a parameter takes, beside what its type says.
 struct Domain {
@@ -82,8 +83,10 @@ struct Parameter {
     bool required = false;
     bool optional = false;    // may stay unset
 
-    std::function<void(void*, std::string_view)> set;  // @throws CommandError `expected …`
-    std::function<std::string(const void*)> text;      // empty: unset
+    /// Reads a value into the parameters `p` of an operator. @throws CommandError `expected …`
+    void set(void* p, std::string_view value) const { read(p, value, domain); }
+    /// The value in `p` as a command writes it; empty: unset.
+    std::string text(const void* p) const { return write(p, domain); }
 
     std::string type_text() const;     // `number`, `3 numbers`, `faces`, …
     /// Whether this value names a file: of a name_or_file, one with a dot or a slash.
@@ -91,6 +94,11 @@ struct Parameter {
     {
         return type == Type::file || (type == Type::name_or_file && value.find_first_of("./") != std::string_view::npos);
     }
+
+    // How make_parameter() fills it; `defaults` are an operator's parameters as they are without a command.
+    void describe(std::string_view its_name, std::string_view its_help, Domain its_domain, const void* defaults);
+    std::function<void(void*, std::string_view, const Domain&)> read;
+    std::function<std::string(const void*, const Domain&)> write;
 };
 
 /// How a C++ type is a parameter: read<T>::from, read<T>::text, and its tag.
@@ -270,25 +278,31 @@ constexpr int fixed_length = 0;
 template <class T, std::size_t N>
 constexpr int fixed_length<std::array<T, N>> = int(N);
 
-template <class P, class T>
-Parameter make_parameter(T P::*member, std::string name, std::string help, Domain domain)
+/// What an operator is called without any parameter.
+template <class P>
+const P& defaults()
+{
+    static const P values{};
+    return values;
+}
+
+/// Of a member of P, or of a base of it. What does not depend on the types is done elsewhere: registrations are many, and all of them
+/// pass through here.
+template <class P, class T, class B>
+Parameter make_parameter(T B::*member, std::string_view name, std::string_view help, Domain domain)
 {
     using Value = typename IsOptional<T>::Value;
     Parameter result;
-    result.name = std::move(name);
-    result.help = std::move(help);
     result.type = ParameterType<Value>::type;
-    result.domain = std::move(domain);
     result.fixed_length = fixed_length<Value>;
     result.optional = IsOptional<T>::value;
-    result.set = [member, d = result.domain](void* p, std::string_view t) { static_cast<P*>(p)->*member = ParameterType<Value>::parse(t, d); };
-    result.text = [member, d = result.domain](const void* p) -> std::string {
+    result.read = [member](void* p, std::string_view t, const Domain& d) { static_cast<P*>(p)->*member = ParameterType<Value>::parse(t, d); };
+    result.write = [member](const void* p, const Domain& d) -> std::string {
         const T& value = static_cast<const P*>(p)->*member;
         if constexpr (IsOptional<T>::value) return value ? ParameterType<Value>::text(*value, d) : std::string();
         else return ParameterType<Value>::text(value, d);
     };
-    const P defaults{};
-    result.default_text = result.text(&defaults);
+    result.describe(name, help, std::move(domain), &defaults<P>());
     return result;
 }
 

@@ -20,22 +20,6 @@ std::string_view last_part(std::string_view name) { return name.substr(name.find
 
 } // namespace
 
-std::string Operator::title() const
-{
-    std::string text(last_part(name));
-    for (char& c : text)
-        if (c == '_') c = ' ';
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
-}
-
-const Parameter* Operator::find(std::string_view parameter) const
-{
-    for (const Parameter& p : parameters)
-        if (p.name == parameter) return &p;
-    return nullptr;
-}
-
 void Registry::add(Operator op)
 {
     const std::size_t at = operators_.size();
