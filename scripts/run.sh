@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds Druse and opens its window on a model; without a display, plays a demo session into out/.
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
-build release
+build release druse
 druse=build/druse
 
 demo() {
