@@ -113,6 +113,7 @@ Document::Outcome Document::apply_again(std::string_view text, Progress& progres
 
 Document::Outcome Document::run(const Invocation& call, Progress& progress, const fs::path& folder)
 {
+    progress.step(0.0);
     Context context{progress, folder, scripts_, {}, {}, false, [&folder](const fs::path& file) { return read_model(folder / file).mesh; }};
     try {
         switch (call.op->kind) {

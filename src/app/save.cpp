@@ -8,7 +8,7 @@ namespace druse {
 
 void write_document(const Document& document, OutputSet& output, const std::filesystem::path& target, const WriteOptions& options)
 {
-    if (options.format.empty() ? is_script(target) : options.format == "druse") {
+    if (options.format.empty() ? is_script(target) : is_script_format(options.format)) {
         output.open(target).put(document.script(target.parent_path()));
         return;
     }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace druse {
 
 namespace {
@@ -38,7 +40,16 @@ Script Script::read(const std::filesystem::path& file)
 
 Script Script::read_standard_input() { return {"standard input", {}, {}, read_all(ByteSource::standard_input())}; }
 
-bool is_script(const std::filesystem::path& file) { return file.extension() == ".druse"; }
+bool is_script_format(std::string_view format)
+{
+    return std::ranges::equal(format, std::string_view("druse"), {}, [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+}
+
+bool is_script(const std::filesystem::path& file)
+{
+    const std::string extension = file.extension().string();
+    return !extension.empty() && is_script_format(std::string_view(extension).substr(1));
+}
 
 std::string_view next_line(std::string_view& text)
 {

@@ -23,7 +23,9 @@ struct Script {
     static Script read_standard_input();
 };
 
-/// True for a file that is a script by its extension, `.druse`.
+/// True for `druse`, the format of scripts, in either case.
+bool is_script_format(std::string_view format);
+/// True for a file that is a script by its extension.
 bool is_script(const std::filesystem::path& file);
 
 /// Takes the next line off the text, without its line break (`\n` or `\r\n`).

@@ -10,7 +10,7 @@ Document::Outcome open_input(Document& document, const std::string& input, const
 {
     if (input != "-") return document.open(input, progress);
     if (format.empty()) throw InputError("standard input", "needs --format");
-    if (format == "druse") return document.run(Script::read_standard_input(), progress);
+    if (is_script_format(format)) return document.run(Script::read_standard_input(), progress);
     ByteSource source = ByteSource::standard_input();
     return document.open(read_model(source, format));
 }

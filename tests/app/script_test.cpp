@@ -68,6 +68,12 @@ TEST(Script, IsReadLineByLineWithCommentsAndAnyLineEnds)
     document.apply("document.undo steps=3");
 }
 
+TEST(Script, IsKnownByItsExtensionInEitherCase)
+{
+    for (const char* name : {"a.druse", "a.DRUSE", "x/a.b.Druse"}) EXPECT_TRUE(is_script(name)) << name;
+    for (const char* name : {"druse", "a.druse.obj", "a.drus", "a.", ""}) EXPECT_FALSE(is_script(name)) << name;
+}
+
 TEST(Script, NamesFileLineAndOperatorInErrors)
 {
     const Folder folder;
