@@ -80,6 +80,16 @@ Unsaved ask_about_changes(const std::string& name)
     }
 }
 
+Leftover ask_about_leftover(const std::filesystem::path& model)
+{
+    const char* question = "Druse ended before this work was saved:\n%s\n(its history lies beside it)";
+    switch (fl_choice(question, "Later", "Recover", "Discard", model.c_str())) {
+    case 1: return Leftover::recover;
+    case 2: return Leftover::discard;
+    default: return Leftover::keep;
+    }
+}
+
 bool ask_to_replace(const std::filesystem::path& file)
 {
     return fl_choice("%s exists already. Replace it?", "Cancel", "Replace", nullptr, file.filename().string().c_str()) == 1;

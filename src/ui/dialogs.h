@@ -21,6 +21,9 @@ std::optional<std::string> ask_for_text(const std::string& question, const std::
 
 enum class Unsaved { save, discard, cancel };
 Unsaved ask_about_changes(const std::string& name);
+/// About a model that an earlier run left behind.
+enum class Leftover { recover, discard, keep };
+Leftover ask_about_leftover(const std::filesystem::path& model);
 bool ask_to_replace(const std::filesystem::path& file);
 void show_failure(const std::string& text);
 

@@ -23,7 +23,7 @@ std::vector<Fact> print_facts(const Display& display, const std::string& unit)
     list.push_back({"outward", f.volume > 0 ? "yes" : f.volume < 0 ? "no" : "no volume", f.volume > 0 ? Tone::good : Tone::warning});
     list.push_back({"parts", std::to_string(f.components), Tone::plain});
     const Vector size = f.bounds.size();
-    list.push_back({"size " + unit, fmt::format("{:.4g} × {:.4g} × {:.4g}", size.x, size.y, size.z), Tone::plain});
+    list.push_back({"size " + unit, fmt::format("{:.4g}×{:.4g}×{:.4g}", size.x, size.y, size.z), Tone::plain});
     list.push_back({"volume", fmt::format("{:.5g} {}³", f.volume, unit), Tone::plain});
     list.push_back({"area", fmt::format("{:.5g} {}²", f.area, unit), Tone::plain});
     list.push_back({"edges", fmt::format("{:.3g} to {:.3g} {}", f.shortest_edge, f.longest_edge, unit), Tone::plain});

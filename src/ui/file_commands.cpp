@@ -11,6 +11,10 @@ namespace druse::ui {
 
 bool FileCommands::may_leave()
 {
+    if (session_.is_working()) { // what is not done yet is not part of the work
+        session_.cancel();
+        session_.wait();
+    }
     if (!session_.is_changed()) return true;
     std::string name = session_.title();
     name.pop_back(); // the mark
@@ -36,7 +40,6 @@ void FileCommands::open(const std::filesystem::path& file)
 {
     if (!may_leave()) return;
     session_.open(file);
-    preferences_.remember(std::filesystem::absolute(file));
 }
 
 std::filesystem::path FileCommands::proposal(const char* extension) const
@@ -47,13 +50,16 @@ std::filesystem::path FileCommands::proposal(const char* extension) const
 
 bool FileCommands::save_to(const std::filesystem::path& file)
 {
+    if (session_.is_working()) {
+        session_.say(Message::Kind::note, "still busy with " + session_.doing() + "; Escape cancels it");
+        return false;
+    }
     session_.save(file);
     session_.wait();
     if (session_.message().kind == Message::Kind::error) {
         show_failure(session_.message().text);
         return false;
     }
-    preferences_.remember(std::filesystem::absolute(file));
     return true;
 }
 

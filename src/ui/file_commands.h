@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ui/preferences.h"
 #include "ui/session.h"
 
 #include <filesystem>
@@ -12,7 +11,7 @@ namespace druse::ui {
 /// What the File menu does: asks for names, asks about unsaved work, and hands the rest to the session.
 class FileCommands {
 public:
-    FileCommands(Session& session, Preferences& preferences) : session_(session), preferences_(preferences) {}
+    explicit FileCommands(Session& session) : session_(session) {}
 
     void start_over();
     void open();
@@ -30,7 +29,6 @@ private:
     std::filesystem::path proposal(const char* extension) const;
 
     Session& session_;
-    Preferences& preferences_;
 };
 
 /// The files in a `text/uri-list`: one a line, percent-decoded, `file:` and the host taken off. Other lines are left out.

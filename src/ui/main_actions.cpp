@@ -1,6 +1,7 @@
 #include "ui/main_actions.h"
 
 #include "ui/main_window.h"
+#include "ui/palette.h"
 
 #include <FL/Fl.H>
 
@@ -49,7 +50,8 @@ void add_file_actions(Actions& list, MainWindow& w)
 {
     FileCommands& files = w.files();
     list.push_back({"File/New", FL_CTRL + 'n', [&files] { files.start_over(); }});
-    list.push_back({.path = "File/Open…", .shortcut = FL_CTRL + 'o', .run = [&files] { files.open(); }, .divider = true});
+    list.push_back({"File/Open…", FL_CTRL + 'o', [&files] { files.open(); }});
+    list.push_back({.path = "File/Open recent…", .run = [&w] { show_recent_files(w); }, .divider = true});
     list.push_back({"File/Save", FL_CTRL + 's', [&files] { files.save(); }});
     list.push_back({"File/Save as…", FL_CTRL + FL_SHIFT + 's', [&files] { files.save_as(); }});
     list.push_back({"File/Export…", FL_CTRL + 'e', [&files] { files.export_copy(); }});
@@ -63,7 +65,8 @@ void add_edit_actions(Actions& list, MainWindow& w)
     list.push_back({"Edit/Undo", FL_CTRL + 'z', [&session] { session.undo(); }});
     list.push_back({"Edit/Redo", FL_CTRL + FL_SHIFT + 'z', [&session] { session.redo(); }});
     list.push_back({"Edit/Repeat on the selection", ' ', [&session] { session.repeat(); }});
-    list.push_back({.path = "Edit/Command palette…", .shortcut = FL_CTRL + 'p', .run = [&w] { w.open_palette(); }, .divider = true});
+    list.push_back({"Edit/Preferences…", 0, [&w] { w.edit_preferences(); }});
+    list.push_back({.path = "Edit/Command palette…", .shortcut = FL_CTRL + 'p', .run = [&w] { show_palette(w); }, .divider = true});
 }
 
 void add_select_actions(Actions& list, MainWindow& w)

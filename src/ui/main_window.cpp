@@ -1,10 +1,12 @@
 #include "ui/main_window.h"
 
+#include "ui/context_menu.h"
 #include "ui/dialogs.h"
 #include "ui/help_window.h"
 #include "ui/layout.h"
 #include "ui/main_actions.h"
 #include "ui/palette.h"
+#include "ui/preferences_dialog.h"
 #include "ui/theme.h"
 
 #include "render/png.h"
@@ -35,12 +37,12 @@ bool is_text_field(const Fl_Widget* widget) { return dynamic_cast<const Fl_Input
 
 MainWindow::MainWindow(Session& session, Preferences& preferences, const Options& options, int w, int h)
     : Fl_Double_Window(w, h, "Druse"), session_(session), preferences_(preferences), options_(options), view_(session),
-      files_(session, preferences), tree_(session, 0, 0, 1, 1), parameters_(session, 0, 0, 1, 1), view_bar_(session, view_, 0, 0, 1, 1),
+      files_(session), tree_(session, 0, 0, 1, 1), parameters_(session, 0, 0, 1, 1), view_bar_(session, view_, 0, 0, 1, 1),
       no_view_(0, 0, 1, 1), viewport_(session, view_, 0, 0, 10, 10), history_(session, 0, 0, 1, 1), groups_(session, 0, 0, 1, 1),
       facts_(session, 0, 0, 1, 1), history_section_("History", history_), groups_section_("Groups", groups_),
       facts_section_("Print check", facts_), tree_divider_(true), status_(session, 0, 0, 1, 1), show_progress_([this] {
           status_.update_progress();
-          if (session_.busy()) show_progress_.start(progress_tick);
+          if (session_.is_working()) show_progress_.start(progress_tick);
       }),
       count_facts_([this] { session_.count_facts(); }), forget_failed_([this] {
           session_.forget_failed_faces();
@@ -84,6 +86,7 @@ MainWindow::MainWindow(Session& session, Preferences& preferences, const Options
         event("frame " + std::to_string(frame));
         if (view_.is_animating()) animate_.start(frame_time);
     };
+    view_.on_menu = [this](const Pointer& pointer) { show_context_menu(*this, pointer); };
     viewport_.on_drop = [this](const std::string& uris) { files_.drop(uris); };
     menu_->on_operator = [this](const Operator& op) { choose(op); };
     parameters_.on_help = [this] { show_help(); };
@@ -105,6 +108,7 @@ MainWindow::~MainWindow()
     session_.on_output = nullptr;
     session_.wake = nullptr;
     view_.on_event = nullptr;
+    view_.on_menu = nullptr;
     hide();
     // As its parts go one by one, FLTK looks for another to give the pointer to: there is none from here on.
     closing_ = true;
@@ -172,7 +176,17 @@ void MainWindow::arrange_right(int x, int y, int w, int h)
 
 void MainWindow::event(const std::string& line)
 {
+    if (line.starts_with("opened ") || line.starts_with("saved ")) preferences_.remember(session_.file());
     if (on_event) on_event(line);
+}
+
+void MainWindow::update_hint()
+{
+    status_.set_hint(view_.hint());
+    const bool acts = session_.chosen() && acts_on_click(*session_.chosen());
+    if (acts == cross_ || !viewport_.shown()) return;
+    cross_ = acts;
+    viewport_.cursor(acts ? FL_CURSOR_CROSS : FL_CURSOR_DEFAULT);
 }
 
 void MainWindow::refresh()
@@ -187,14 +201,16 @@ void MainWindow::refresh()
     groups_.update();
     facts_.update(preferences_.unit);
     history_section_.set_note(std::to_string(session_.display().done) + " of " + std::to_string(session_.display().steps.size()));
-    status_.update(view_.hint(), preferences_.unit);
+    status_.update(preferences_.unit);
+    update_hint();
     later();
+    if (on_change) on_change();
 }
 
 void MainWindow::later()
 {
     if (!viewport_.reason().empty() && viewport_.visible()) give_up_view_.start(0);
-    if (session_.busy()) show_progress_.start(progress_tick);
+    if (session_.is_working()) show_progress_.start(progress_tick);
     if (!session_.busy() && !session_.display().facts) count_facts_.start(facts_delay);
     if (!session_.failed_faces().empty()) forget_failed_.start(failed_face_time);
 }
@@ -240,7 +256,7 @@ int MainWindow::handle(int event)
     }
     const int handled = Fl_Double_Window::handle(event);
     const bool mouse = event == FL_MOVE || event == FL_DRAG || event == FL_RELEASE || event == FL_PUSH;
-    if (mouse && !session_.busy()) status_.update(view_.hint(), preferences_.unit);
+    if (mouse) update_hint();
     return handled;
 }
 
@@ -248,7 +264,7 @@ void MainWindow::escape()
 {
     const Selection& selection = *session_.display().selection;
     if (view_.cancel()) return;
-    if (session_.busy()) session_.cancel();
+    if (session_.is_working()) session_.cancel();
     else if (is_text_field(Fl::focus())) viewport_.take_focus();
     else if (session_.chosen()) session_.choose(nullptr);
     else if (!selection.faces.empty()) session_.run("select.faces faces=none");
@@ -261,7 +277,7 @@ bool MainWindow::other_key(int key)
 {
     const bool ctrl = Fl::event_state(FL_CTRL) != 0;
     if (ctrl && key == 'y') session_.redo();
-    else if (!ctrl && key == '/') open_palette();
+    else if (!ctrl && key == '/') show_palette(*this);
     else if (key == FL_KP + '1') view_.look({ctrl ? 180.0 : 0.0, 0});
     else if (key == FL_KP + '3') view_.look({ctrl ? -90.0 : 90.0, 0});
     else if (key == FL_KP + '7') view_.look({0, ctrl ? -90.0 : 90.0});
@@ -297,7 +313,12 @@ void MainWindow::full_screen()
     else fullscreen();
 }
 
-void MainWindow::open_palette() { show_palette(*this); }
+void MainWindow::edit_preferences()
+{
+    if (!ask_for_preferences(preferences_)) return;
+    if (!options_.test) preferences_.store();
+    refresh();
+}
 
 void MainWindow::save_screenshot()
 {

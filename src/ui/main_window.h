@@ -41,11 +41,14 @@ public:
 
     /// One line for everything that happens: what the session says, frames, and what is pressed in the view.
     std::function<void(const std::string&)> on_event;
+    /// After every change of the session.
+    std::function<void()> on_change;
 
     Session& session() { return session_; }
     View& view() { return view_; }
     Viewport& viewport() { return viewport_; }
     FileCommands& files() { return files_; }
+    Preferences& preferences() { return preferences_; }
     Menu& menu() { return *menu_; }
     ParameterPanel& parameters() { return parameters_; }
     const Actions& actions() const { return actions_; }
@@ -54,7 +57,7 @@ public:
     void fold_sides();
     bool sides_are_folded() const { return !left_open_ && !right_open_; }
     void full_screen();
-    void open_palette();
+    void edit_preferences();
     void save_screenshot();
     void show_help();
     void show_log();
@@ -66,6 +69,7 @@ private:
     void arrange();
     void arrange_right(int x, int y, int w, int h);
     void event(const std::string& line);
+    void update_hint();
     void refresh(); // after a change of the session
     void later();   // what need not be done at once
     void escape();
@@ -99,6 +103,7 @@ private:
     bool left_open_ = true, right_open_ = true;
     std::filesystem::path framed_file_;
     bool framed_ = false;
+    bool cross_ = false; // the pointer in the view
     bool closing_ = false;
 };
 

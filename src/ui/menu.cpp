@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace druse::ui {
 
@@ -16,6 +17,16 @@ namespace {
 
 constexpr std::array<const char*, 13> order{"File",     "Edit", "Make",  "Select", "Group", "Extrude", "Remesh",
                                             "Topology", "Rind", "Graph", "Tile",   "View",  "Help"};
+
+/// The path with the letter marked that opens its menu with Alt.
+std::string with_mnemonic(const std::string& path)
+{
+    constexpr std::pair<std::string_view, std::size_t> unusual[] = {{"Extrude/", 1}, {"Rind/", 1}, {"Graph/", 2}, {"Tile/", 2}};
+    std::size_t at = 0;
+    for (const auto& [menu, letter] : unusual)
+        if (path.starts_with(menu)) at = letter;
+    return path.substr(0, at).append("&").append(path, at);
+}
 
 /// What the File and Edit menus offer in their own way.
 bool has_own_entry(const Operator& op) { return op.kind == Operator::Kind::travel || op.name == "document.open"; }
@@ -60,7 +71,7 @@ void Menu::add_entry(const Action* action, const Operator* op, const std::string
 {
     entries_.push_back(std::make_unique<Entry>(Entry{this, action, op, path}));
     paths_.push_back(path);
-    add(path.c_str(), shortcut, [](Fl_Widget*, void* data) {
+    add(with_mnemonic(path).c_str(), shortcut, [](Fl_Widget*, void* data) {
         const auto* entry = static_cast<const Entry*>(data);
         entry->menu->run(*entry);
     }, entries_.back().get(), flags);

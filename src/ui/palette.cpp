@@ -9,6 +9,7 @@
 #include <FL/fl_draw.H>
 
 #include <algorithm>
+#include <utility>
 
 namespace druse::ui {
 
@@ -33,8 +34,8 @@ std::vector<PaletteEntry> entries_of(MainWindow& window)
 
 class PaletteWindow : public Fl_Double_Window {
 public:
-    explicit PaletteWindow(MainWindow& main)
-        : Fl_Double_Window(layout().palette_width(), height(0)), main_(main), entries_(entries_of(main)),
+    PaletteWindow(MainWindow& main, std::vector<PaletteEntry> entries, bool takes_commands)
+        : Fl_Double_Window(layout().palette_width(), layout().px(300)), main_(main), entries_(std::move(entries)), takes_commands_(takes_commands),
           field_(layout().gap(), layout().gap(), w() - 2 * layout().gap(), layout().button_height()), list_(*this)
     {
         end();
@@ -97,8 +98,6 @@ private:
         PaletteWindow& palette_;
     };
 
-    static int height(int) { return layout().px(300); }
-
     void search()
     {
         found_ = find_entries(entries_, field_.value());
@@ -109,13 +108,14 @@ private:
     void take(int row)
     {
         const std::string text = field_.value();
-        if (text.find('=') != std::string::npos) chosen = [this_main = &main_, text] { this_main->session().run(text); };
+        if (takes_commands_ && text.find('=') != std::string::npos) chosen = [this_main = &main_, text] { this_main->session().run(text); };
         else if (row >= 0 && row < int(found_.size())) chosen = found_[std::size_t(row)]->run;
         hide();
     }
 
     MainWindow& main_;
     std::vector<PaletteEntry> entries_;
+    bool takes_commands_;
     std::vector<const PaletteEntry*> found_;
     Fl_Input field_;
     List list_;
@@ -144,17 +144,36 @@ std::vector<const PaletteEntry*> find_entries(const std::vector<PaletteEntry>& e
     return first;
 }
 
-void show_palette(MainWindow& window)
+namespace {
+
+/// Lets a person choose, and does it when the list is gone.
+void choose_from(MainWindow& window, std::vector<PaletteEntry> entries, bool takes_commands)
 {
     std::function<void()> run;
     {
         Fl_Group::current(nullptr);
-        PaletteWindow palette(window);
+        PaletteWindow palette(window, std::move(entries), takes_commands);
         palette.show();
         while (palette.shown()) Fl::wait();
         run = palette.chosen;
     }
     if (run) run();
+}
+
+} // namespace
+
+void show_palette(MainWindow& window) { choose_from(window, entries_of(window), true); }
+
+void show_recent_files(MainWindow& window)
+{
+    std::vector<PaletteEntry> entries;
+    for (const std::filesystem::path& file : window.preferences().recent) {
+        std::error_code none;
+        const bool there = std::filesystem::exists(file, none);
+        entries.push_back({file.filename().string(), there ? file.parent_path().string() : "no longer there", [&window, file] { window.files().open(file); }});
+    }
+    if (entries.empty()) entries.push_back({"no files yet", "", {}});
+    choose_from(window, std::move(entries), false);
 }
 
 } // namespace druse::ui

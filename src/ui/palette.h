@@ -27,5 +27,7 @@ std::vector<const PaletteEntry*> find_entries(const std::vector<PaletteEntry>& e
 
 /// Every menu entry and every operator by name; and what looks like a command with arguments is run as it is.
 void show_palette(MainWindow& window);
+/// The files opened last.
+void show_recent_files(MainWindow& window);
 
 } // namespace druse::ui

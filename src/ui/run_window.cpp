@@ -1,5 +1,7 @@
 #include "ui/run_window.h"
 
+#include "ui/autosave.h"
+#include "ui/dialogs.h"
 #include "ui/event_log.h"
 #include "ui/geometry.h"
 #include "ui/layout.h"
@@ -7,6 +9,7 @@
 #include "ui/preferences.h"
 #include "ui/recorder.h"
 #include "ui/replay.h"
+#include "ui/signals.h"
 #include "ui/theme.h"
 
 #include "app/registry.h"
@@ -41,6 +44,21 @@ double scale_of(const WindowOptions& options, const Preferences& preferences)
     const double scale = options.ui_scale != 0 ? options.ui_scale : preferences.ui_scale;
     if (scale == 1 || scale == 1.25 || scale == 1.5 || scale == 2) return scale;
     throw CommandError("--ui-scale: expected 1, 1.25, 1.5 or 2");
+}
+
+/// What an earlier run could not save.
+void offer_leftovers(const Autosave& autosave, Session& session)
+{
+    for (const std::filesystem::path& model : autosave.leftovers()) {
+        const Leftover answer = ask_about_leftover(model);
+        if (answer == Leftover::discard) Autosave::discard(model);
+        if (answer != Leftover::recover) continue;
+        const std::filesystem::path here = Autosave::set_aside(model);
+        session.open(here);
+        session.wait();
+        if (session.file() == here) session.detach();
+        return; // the next one at the next start
+    }
 }
 
 } // namespace
@@ -80,14 +98,27 @@ int run_window(const WindowOptions& options)
 
     window.show();
     window.viewport().show();
-    if (!options.file.empty()) {
-        session.open(options.file);
-        preferences.remember(std::filesystem::absolute(options.file));
-    }
+    if (!options.file.empty()) session.open(options.file);
     Fl::check();
     log.write("ready");
     if (replay) replay->start();
+
+    std::optional<Autosave> autosave;
+    if (!options.test) {
+        autosave.emplace(session, Autosave::default_folder());
+        offer_leftovers(*autosave, session);
+        window.on_change = [&] { autosave->follow(); };
+    }
+    const EndSignals signals([&] {
+        if (autosave) {
+            session.cancel(); // what is not done yet is not part of the work
+            autosave->save_now();
+            autosave->keep();
+        }
+        while (Fl_Window* open = Fl::first_window()) open->hide(); // questions too: none of them is answered any more
+    });
     Fl::run();
+    window.on_change = nullptr;
     session.cancel();
     session.wait();
     if (!options.test) preferences.store();

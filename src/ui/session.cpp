@@ -131,6 +131,8 @@ void Session::export_to(const std::filesystem::path& file)
     submit({.task = Request::Task::save, .file = std::filesystem::absolute(file), .keep_file = true});
 }
 
+void Session::keep_copy(const std::filesystem::path& file) { submit({.task = Request::Task::copy, .file = file}); }
+
 void Session::start_over() { submit({.task = Request::Task::clear}); }
 
 void Session::count_facts()
@@ -144,9 +146,10 @@ void Session::submit(Request request)
         begin(std::move(request));
         return;
     }
-    // While a slider moves only its newest value counts. Nobody waits for a count of facts, so whatever comes meanwhile follows it.
+    // While a slider moves only its newest value counts. Nobody waits for a count of facts or an autosave: what comes meanwhile
+    // follows it.
     const bool newest = request.task == Request::Task::again && request_.task == Request::Task::again;
-    if (newest || request_.task == Request::Task::count) {
+    if (newest || is_background(request_)) {
         waiting_ = std::move(request);
         return;
     }
@@ -163,6 +166,7 @@ void Session::begin(Request request)
     switch (request_.task) {
     case Request::Task::open: doing_ = "opening " + request_.file.filename().string(); break;
     case Request::Task::save: doing_ = "writing " + request_.file.filename().string(); break;
+    case Request::Task::copy: doing_ = "autosave"; break;
     case Request::Task::count: doing_ = "counting"; break;
     case Request::Task::clear: doing_ = "clearing"; break;
     default: doing_ = request_.command.substr(0, request_.command.find(' '));
@@ -176,8 +180,7 @@ void Session::begin(Request request)
         }
         result_.took = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
     });
-    const bool at_leisure = request_.task == Request::Task::count;
-    if (!at_leisure && worker_.wait(patience)) {
+    if (!is_background(request_) && worker_.wait(patience)) {
         take_over();
         return;
     }
@@ -209,6 +212,17 @@ void Session::perform(const Request& request, Progress& progress, Result& result
         write_document(document_, output, request.file);
         output.commit();
         result.outcome.notes = output.notes();
+        break;
+    }
+    case Request::Task::copy: {
+        OutputSet output;
+        write_document(document_, output, request.file);
+        try {
+            write_document(document_, output, std::filesystem::path(request.file).replace_extension(".druse"));
+        } catch (const CommandError&) {
+            // A document without a history that a script could tell.
+        }
+        output.commit();
         break;
     }
     case Request::Task::count: result.facts = facts(document_.scene().mesh); break;
@@ -277,7 +291,7 @@ void Session::report(const Request& request, const Result& result)
         report_error(request, result.error);
         return;
     }
-    if (request.task == Request::Task::count) return;
+    if (is_background(request)) return;
 
     failed_.clear();
     if (request.task != Request::Task::save) bound_.reset();
@@ -365,6 +379,13 @@ std::filesystem::path Session::folder() const
 }
 
 bool Session::is_changed() const { return !saved_ || *saved_ != display_.done; }
+
+void Session::detach()
+{
+    file_.clear();
+    saved_.reset();
+    changed();
+}
 
 std::string Session::title() const
 {

@@ -51,7 +51,7 @@ public:
     const Display& display() const { return display_; }
     /// Grows with everything that on_change tells of the display.
     std::uint64_t display_version() const { return display_version_; }
-    const Message& message() const { return message_; }
+    const Message& message() const { return message_; } // an empty text: nothing to say
     void say(Message::Kind kind, std::string text);
     const std::vector<Message>& log() const { return log_; }
     /// Faces that the last command could not work on.
@@ -97,10 +97,14 @@ public:
     void save(const std::filesystem::path& file);
     /// Writes it and keeps the document's own file.
     void export_to(const std::filesystem::path& file);
+    /// Writes the mesh to this file and the history, if a script can tell it, beside it, and says nothing about it.
+    void keep_copy(const std::filesystem::path& file);
     /// An empty document, without a file.
     void start_over();
 
     bool busy() const { return in_flight_; }
+    /// Busy with something a person waits for.
+    bool is_working() const { return in_flight_ && !is_background(request_); }
     double fraction() const { return worker_.fraction(); }
     /// What is being done, for the progress bar.
     const std::string& doing() const { return doing_; }
@@ -122,10 +126,14 @@ public:
     std::optional<std::size_t> saved_step() const { return saved_; }
     /// The history as a script. Precondition: not busy().
     std::string script() const;
+    /// Forgets that the document has a file: what was opened is a copy of something unsaved.
+    void detach();
+    /// Grows with every change of the document. Precondition: not busy().
+    std::uint64_t document_version() const { return document_.version(); }
 
 private:
     struct Request {
-        enum class Task { command, again, open, save, count, clear };
+        enum class Task { command, again, open, save, copy, count, clear };
         Task task = Task::command;
         std::string command = {};
         std::filesystem::path file = {};
@@ -141,6 +149,7 @@ private:
         std::chrono::milliseconds took{0};
     };
 
+    static bool is_background(const Request& request) { return request.task == Request::Task::count || request.task == Request::Task::copy; }
     void submit(Request request);
     void begin(Request request);
     void perform(const Request& request, Progress& progress, Result& result);

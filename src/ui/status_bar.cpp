@@ -67,24 +67,26 @@ void StatusBar::arrange()
     progress_.resize(cancel_.x() - l.gap() - l.progress_width(), y() + l.gap(), l.progress_width(), size);
 }
 
-void StatusBar::update(const std::string& hint, const std::string& unit)
+void StatusBar::update(const std::string& unit)
 {
     parts_ = status_parts(session_.display(), unit);
-    const Message& message = session_.message();
-    hint_ = message.text.empty() ? hint : message.text;
-    is_error_ = message.kind == Message::Kind::error && !message.text.empty();
-    if (!session_.busy()) {
+    if (!session_.is_working()) {
         progress_.hide();
         cancel_.hide();
     }
     redraw();
 }
 
+void StatusBar::set_hint(const std::string& hint)
+{
+    if (hint == hint_) return;
+    hint_ = hint;
+    redraw();
+}
+
 void StatusBar::update_progress()
 {
-    if (!session_.busy()) return;
-    hint_ = session_.doing() + " …";
-    is_error_ = false;
+    if (!session_.is_working()) return;
     progress_.value(static_cast<float>(session_.fraction()));
     progress_.show();
     cancel_.show();
@@ -110,7 +112,10 @@ void StatusBar::draw()
         at += l.margin();
     }
     const int right = progress_.visible() ? progress_.x() - l.gap() : x() + w() - l.margin();
-    draw_text(hint_, at, y(), right - at, h(), is_error_ ? theme().error : theme().faint_text);
+    const Message& message = session_.message();
+    const bool error = message.kind == Message::Kind::error && !message.text.empty();
+    const std::string& text = progress_.visible() ? session_.doing() : message.text.empty() ? hint_ : message.text;
+    draw_text(text, at, y(), right - at, h(), error && !progress_.visible() ? theme().error : theme().faint_text);
     draw_children();
 }
 

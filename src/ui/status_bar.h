@@ -24,8 +24,10 @@ class StatusBar : public Panel {
 public:
     StatusBar(Session& session, int x, int y, int w, int h);
 
-    /// Shows what the session has now, and the hint where there is no message.
-    void update(const std::string& hint, const std::string& unit);
+    /// Shows what the session has now.
+    void update(const std::string& unit);
+    /// What the mouse does now; shown where there is no message.
+    void set_hint(const std::string& hint);
     void update_progress();
 
 protected:
@@ -36,7 +38,6 @@ private:
     Session& session_;
     std::vector<StatusPart> parts_;
     std::string hint_;
-    bool is_error_ = false;
     Fl_Progress progress_;
     Fl_Button cancel_;
 };

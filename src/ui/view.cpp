@@ -66,6 +66,7 @@ void View::set_style(const Style& style)
 std::string View::hint() const
 {
     if (box_next_) return "drag a box around what to select; Shift adds, Ctrl removes";
+    if (!armed_ && session_.display().counts.vertices == 0) return "open a file (Ctrl+O) or choose a shape under Make";
     if (clicking_) return "release to act; beside the mesh or Escape cancels";
     return tool().hint();
 }

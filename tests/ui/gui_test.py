@@ -266,6 +266,23 @@ def cancel(druse, folder, pictures):
     window.type("extrude.cubical faces=0 angle=100")
     window.keys("Return")
     window.wait("applied extrude.cubical faces=10")
+
+    for command in ("make.torus nu=400 nv=400", "remesh.catmull_clark iterations=2"):  # the second takes its time
+        window.keys("ctrl+p")
+        time.sleep(0.5)
+        window.type(command)
+        window.keys("Return")
+        if command.startswith("make"):
+            window.wait("applied make.torus")
+    time.sleep(0.25)
+    window.keys("Escape")
+    window.wait("cancelled")
+    window.picture("cancelled")
+    window.keys("ctrl+z")
+    window.wait("applied document.undo faces=10")
+
+    window.process.terminate()  # asked to end, it does so in order
+    check(window.process.wait(timeout=10) == 0, f"SIGTERM ended with {window.process.returncode}")
     window.close()
 
 
@@ -288,6 +305,11 @@ def dialogs(druse, folder, pictures):
     window.keys("alt+e")
     time.sleep(0.5)
     window.picture("menu")
+    window.keys("Escape")
+    window.press((560, 300), 3)
+    window.release(3)
+    time.sleep(0.5)
+    window.picture("context-menu")
     window.keys("Escape")
     window.keys("a")
     window.wait("applied select.faces faces=12")

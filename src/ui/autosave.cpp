@@ -1,0 +1,143 @@
+#include "ui/autosave.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <unistd.h>
+
+namespace druse::ui {
+
+namespace {
+
+constexpr const char* model_extension = ".dlfl"; // it keeps groups, start corners and open boundaries
+constexpr double when_busy = 2;                  // seconds until the next try
+
+std::string host()
+{
+    char name[256] = {};
+    gethostname(name, sizeof name - 1);
+    return name;
+}
+
+/// Does another process that wrote a lock file still run? One on another host may.
+bool is_held(const std::filesystem::path& lock)
+{
+    std::ifstream in(lock);
+    std::string where;
+    long process = 0;
+    if (!(in >> where >> process)) return false;
+    if (where == host() && process == getpid()) return false; // of an earlier process that had the same number
+    return where != host() || kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
+}
+
+void remove(std::filesystem::path file, const char* extension)
+{
+    std::error_code none;
+    std::filesystem::remove(file.replace_extension(extension), none);
+}
+
+/// A model in the folder named after this process, other than what an earlier one with the same number may have left.
+std::filesystem::path own_name(const std::filesystem::path& folder)
+{
+    const std::string name = host() + "-" + std::to_string(getpid());
+    std::filesystem::path file = folder / (name + model_extension);
+    std::error_code none;
+    for (int i = 2; std::filesystem::exists(file, none); ++i) file = folder / (name + "-" + std::to_string(i) + model_extension);
+    return file;
+}
+
+} // namespace
+
+std::filesystem::path Autosave::default_folder()
+{
+    if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state) return std::filesystem::path(state) / "druse";
+    const char* home = std::getenv("HOME");
+    return std::filesystem::path(home && *home ? home : "/tmp") / ".local/state/druse";
+}
+
+Autosave::Autosave(Session& session, std::filesystem::path folder)
+    : session_(session), folder_(std::move(folder)), model_(own_name(folder_)),
+      saved_version_(session.document_version()), saved_at_(std::chrono::steady_clock::now()), timer_([this] { save(); })
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    std::ofstream lock(std::filesystem::path(model_).replace_extension(".lock"));
+    lock << host() << " " << getpid() << "\n";
+    if (!lock.flush()) session_.say(Message::Kind::error, "no autosave: cannot write to " + folder_.string());
+}
+
+Autosave::~Autosave()
+{
+    timer_.stop();
+    if (!keep_) discard(model_);
+    else remove(model_, ".lock");
+}
+
+void Autosave::discard(const std::filesystem::path& model)
+{
+    for (const char* extension : {model_extension, ".mtl", ".druse", ".lock"}) remove(model, extension);
+}
+
+void Autosave::take_away()
+{
+    for (const char* extension : {model_extension, ".mtl", ".druse"}) remove(model_, extension);
+    written_ = false;
+}
+
+std::filesystem::path Autosave::set_aside(const std::filesystem::path& model)
+{
+    const std::filesystem::path folder = model.parent_path() / "recovered", target = folder / model.filename();
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    std::filesystem::rename(model, target, error);
+    if (error) return model;
+    for (const char* extension : {".mtl", ".druse"})
+        std::filesystem::rename(std::filesystem::path(model).replace_extension(extension), std::filesystem::path(target).replace_extension(extension), error);
+    remove(model, ".lock");
+    return target;
+}
+
+void Autosave::follow()
+{
+    if (session_.busy()) return;
+    if (written_ && !session_.is_changed()) take_away();
+    if (session_.document_version() == saved_version_) return;
+    // Every change puts it off, but not for ever.
+    const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - saved_at_).count();
+    if (waited + after_change < at_least_every || !timer_.is_running()) timer_.start(after_change);
+}
+
+void Autosave::save()
+{
+    if (session_.busy()) {
+        timer_.start(when_busy);
+        return;
+    }
+    saved_version_ = session_.document_version();
+    saved_at_ = std::chrono::steady_clock::now();
+    if (!session_.is_changed() || session_.display().counts.vertices == 0) return;
+    written_ = true;
+    session_.keep_copy(model_);
+}
+
+void Autosave::save_now()
+{
+    session_.wait();
+    save();
+    session_.wait();
+}
+
+std::vector<std::filesystem::path> Autosave::leftovers() const
+{
+    std::vector<std::filesystem::path> found;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
+        const std::filesystem::path& file = entry.path();
+        if (file.extension() != model_extension || file == model_) continue;
+        if (!is_held(std::filesystem::path(file).replace_extension(".lock"))) found.push_back(file);
+    }
+    return found;
+}
+
+} // namespace druse::ui
