@@ -9,8 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <utility>
 
 namespace druse {
 
@@ -49,8 +53,8 @@ public:
     static constexpr double angle = 90; // of the frame: the walls' own angles are part of the profile
     bool mitred;
 
-    SolidKernel(const SolidPattern& pattern, const SolidExtrusion& size)
-        : mitred(pattern.mitred), pattern_(pattern), planar_(size.planar), tiling_(pattern.tiling())
+    SolidKernel(const SolidPattern& pattern, const SolidExtrusion& size, Progress& progress)
+        : mitred(pattern.mitred), pattern_(pattern), planar_(size.planar), tiling_(pattern.tiling()), progress_(progress)
     {
         const auto tiers = static_cast<std::size_t>(pattern.tiers);
         if (size.heights.size() != 1 && size.heights.size() != tiers)
@@ -60,8 +64,11 @@ public:
         if (size.heights.size() == tiers) heights_ = size.heights;
         stretched_ = std::ranges::any_of(heights_, [](double h) { return h != 1.0; });
         tilt_ = size.angle ? radians(*size.angle) - pattern.wall_angles[0] : 0.0;
-        cosine_ = std::cos(tilt_);
-        sine_ = std::sin(tilt_);
+        const double cosine = std::cos(tilt_), sine = std::sin(tilt_);
+        const auto tilted = [&](const SolidPattern::Place& p) { return Hung{p.at, p.along, p.out * cosine + p.up * sine, p.up * cosine - p.out * sine}; };
+        for (const auto& orbit : pattern.orbits) hung_.push_back(tilted(orbit.place));
+        if (pattern.has_apex)
+            for (const auto& place : pattern.orbits.back().apex_places) apex_hung_.push_back(tilted(place));
         for (std::size_t i = 0; i < pattern.orbits.size(); ++i) order_.push_back(i);
         std::ranges::stable_sort(order_, {}, [&](std::size_t i) { return pattern.orbits[i].tier; });
     }
@@ -81,71 +88,114 @@ public:
             if (n % pattern_.edges != 0) throw CommandError(fmt::format("this pattern repeats every {} edges; {} has {}", pattern_.edges, what, n));
             if (n / pattern_.edges < 2 && pattern_.turns > 1)
                 throw CommandError(fmt::format("this pattern needs at least {} edges; {} has {}", 2 * pattern_.edges, what, n));
+            if (n < pattern_.sides && round(n).closes_on_itself)
+                throw CommandError(fmt::format("this pattern meets itself on so few edges; {} has {}, the solid's has {}", what, n, pattern_.sides));
             n = tiling_.top_corners(n);
         }
     }
 
     void place(const BaseFrame& base, Point* out, Vector*) const
     {
-        const int m = pattern_.edges, wedges = base.n / m;
-        const auto at = [&](Tiling::Spot s, int wedge) { return tiling_.local(s, wedge, base.n); };
-        const auto position = [&](int local) -> const Point& { return local < base.n ? base.foot[local] : out[local - base.n]; };
-        for (const std::size_t i : order_) {
-            const auto& orbit = pattern_.orbits[i];
-            if (orbit.place.kind == SolidPattern::Place::Kind::apex) {
+        const int n = base.n, m = pattern_.edges, wedges = n / m;
+        using Kind = SolidPattern::Place::Kind;
+        for (std::size_t i = 0; i < hung_.size(); ++i) {
+            const Hung& hung = hung_[i];
+            const Kind kind = pattern_.orbits[i].place.kind;
+            // Copies of a vertex stand a wedge of the base apart, and a wedge of their tier.
+            Point* to = out + tiling_.local({static_cast<int>(i), 0}, 0, n) - n;
+            if (kind == Kind::apex) {
                 Vector sum(0.0);
-                for (int e = 0; e < base.n; ++e) sum += beside_edge(base, orbit.apex_places[std::size_t(e % m)], e);
-                out[at({static_cast<int>(i), 0}, 0) - base.n] = sum / double(base.n);
-            } else {
-                for (int t = 0; t < wedges; ++t) out[at({static_cast<int>(i), 0}, t) - base.n] = predicted(base, orbit.place, t);
+                for (int e = 0; e < n; ++e) sum += beside_edge(base, apex_hung_[std::size_t(e % m)], e);
+                *to = sum / double(n);
+                continue;
             }
+            const int step = wedges > 1 ? tiling_.local({static_cast<int>(i), 0}, 1, n) - tiling_.local({static_cast<int>(i), 0}, 0, n) : 0;
+            int at = (hung.at % n + n) % n;
+            for (int t = 0; t < wedges; ++t, to += step, at += at + m < n ? m : m - n) *to = kind == Kind::edge ? beside_edge(base, hung, at) : over_corner(base, hung, at);
         }
-        if (stretched_) stretch(base, out, at, position);
+        if (stretched_) stretch(n, base, out);
         if (planar_ != Planar::off) flatten(base, out);
+        if (++placed_ % 256 == 0) breathe();
     }
 
 private:
-    Point predicted(const BaseFrame& base, const SolidPattern::Place& p, int wedge) const
+    /// A place of the pattern with its profile turned by the tilt.
+    struct Hung {
+        int at;
+        double along, out, up;
+    };
+    /// What the faces around a base with n corners are, found when it is first met.
+    struct Round {
+        std::vector<int> corners, ends; // polygon after polygon, by the numbers of a Tiling
+        std::vector<int> over;          // the base edge under each polygon, where its wall keeps its angle; else −1
+        bool closes_on_itself = false;  // two of its edges join the same vertices
+    };
+
+    static Point beside_edge(const BaseFrame& base, const Hung& p, int edge)
     {
-        const int n = base.n;
-        const int i = ((p.at + wedge * pattern_.edges) % n + n) % n;
-        if (p.kind == SolidPattern::Place::Kind::edge) return beside_edge(base, p, i);
+        return (1.0 - p.along) * base.foot[edge] + p.along * base.foot[edge + 1] + base.edge * (p.out * base.outward[edge] + p.up * base.normal);
+    }
+    static Point over_corner(const BaseFrame& base, const Hung& p, int i)
+    {
         const Vector &o = base.outward[i - 1], &o1 = base.outward[i];
         const Vector mitre = (o + o1) * (1.0 / (1.0 + glm::dot(o, o1)));
-        const auto [x, z] = turned(p);
-        return base.foot[i] + base.edge * (x * mitre + p.along * unit(base.along[i - 1] + base.along[i]) + z * base.normal);
+        const Point on = base.foot[i] + base.edge * (p.out * mitre + p.up * base.normal);
+        return p.along == 0.0 ? on : on + base.edge * p.along * unit(base.along[i - 1] + base.along[i]);
     }
-    Point beside_edge(const BaseFrame& base, const SolidPattern::Place& p, int edge) const
+
+    const Round& round(int n) const
     {
-        const auto [x, z] = turned(p);
-        return (1.0 - p.along) * base.foot[edge] + p.along * base.foot[edge + 1] + base.edge * (x * base.outward[edge] + z * base.normal);
+        if (n == last_n_) return *last_;
+        std::unique_ptr<Round>& found = rounds_[n];
+        if (!found) found = std::make_unique<Round>(make_round(n));
+        last_n_ = n;
+        last_ = found.get();
+        return *last_;
     }
-    std::pair<double, double> turned(const SolidPattern::Place& p) const
+    Round make_round(int n) const
     {
-        return {p.out * cosine_ + p.up * sine_, p.up * cosine_ - p.out * sine_};
+        Round round;
+        std::vector<std::pair<int, int>> sides;
+        for (const auto& polygon : tiling_.polygons(n)) {
+            for (std::size_t i = 0; i < polygon.size(); ++i) {
+                round.corners.push_back(polygon[i]);
+                sides.emplace_back(polygon[i], polygon[(i + 1) % polygon.size()]);
+            }
+            round.ends.push_back(static_cast<int>(round.corners.size()));
+        }
+        std::ranges::sort(sides);
+        round.closes_on_itself = std::ranges::adjacent_find(sides) != sides.end() || std::ranges::any_of(sides, [](const auto& s) { return s.first == s.second; });
+        const int wedges = n / pattern_.edges, first_row = tiling_.has_top(n) ? 1 : 0;
+        round.over.assign(round.ends.size(), -1);
+        if (planar_ == Planar::walls)
+            for (int a = 0; a < pattern_.edges; ++a) {
+                const int row = pattern_.wall_rows[std::size_t(a)];
+                for (int t = 0; t < wedges; ++t) round.over[std::size_t(row == SolidPattern::top_row ? 0 : first_row + row * wedges + t)] = t * pattern_.edges + a;
+            }
+        return round;
     }
 
     /// Scales each tier's step from the tiers below it. What was predicted stays known while lower tiers move.
-    template <class At, class Position>
-    void stretch(const BaseFrame& base, Point* out, At&& at, Position&& position) const
+    void stretch(int n, const BaseFrame& base, Point* out) const
     {
-        const std::vector<Point> ideal(out, out + tiling_.new_vertices(base.n));
-        const auto predicted_at = [&](int local) -> const Point& { return local < base.n ? base.foot[local] : ideal[std::size_t(local - base.n)]; };
-        const int wedges = base.n / pattern_.edges;
+        ideal_.assign(out, out + tiling_.new_vertices(n));
+        const auto now = [&](int local) -> const Point& { return local < n ? base.foot[local] : out[local - n]; };
+        const auto ideally = [&](int local) -> const Point& { return local < n ? base.foot[local] : ideal_[std::size_t(local - n)]; };
+        const int wedges = n / pattern_.edges;
         for (const std::size_t i : order_) {
             const auto& orbit = pattern_.orbits[i];
             const bool apex = orbit.place.kind == SolidPattern::Place::Kind::apex;
             for (int t = 0; t < (apex ? 1 : wedges); ++t) {
-                Vector now(0.0), ideally(0.0);
+                Vector below(0.0), below_ideally(0.0);
                 int count = 0;
                 for (const Tiling::Spot s : orbit.below)
-                    for (int round = 0; round < (apex ? wedges : 1); ++round, ++count) {
-                        const int local = at(s, t + round);
-                        now += position(local);
-                        ideally += predicted_at(local);
+                    for (int around = 0; around < (apex ? wedges : 1); ++around, ++count) {
+                        const int local = tiling_.local(s, t + around, n);
+                        below += now(local);
+                        below_ideally += ideally(local);
                     }
-                const int own = at({static_cast<int>(i), 0}, t);
-                out[own - base.n] = now / double(count) + heights_[std::size_t(orbit.tier - 1)] * (predicted_at(own) - ideally / double(count));
+                const int own = tiling_.local({static_cast<int>(i), 0}, t, n);
+                out[own - n] = below / double(count) + heights_[std::size_t(orbit.tier - 1)] * (ideally(own) - below_ideally / double(count));
             }
         }
     }
@@ -153,61 +203,109 @@ private:
     /// Moves the new vertices until every new face is flat: each to the mean of its projections on the planes of its faces.
     void flatten(const BaseFrame& base, Point* out) const
     {
-        const int n = base.n, made = tiling_.new_vertices(n);
-        auto& polygons = polygons_[n];
-        if (polygons.empty()) polygons = tiling_.polygons(n);
-        const int wedges = n / pattern_.edges, first_row = tiling_.has_top(n) ? 1 : 0;
-        const auto position = [&](int local) -> const Point& { return local < n ? base.foot[local] : out[local - n]; };
-        // The wall over each base edge, by its place among the polygons.
-        std::vector<int> wall_of(polygons.size(), -1);
-        if (planar_ == Planar::walls)
-            for (int a = 0; a < pattern_.edges; ++a)
-                for (int t = 0; t < wedges; ++t) wall_of[std::size_t(first_row + pattern_.wall_rows[std::size_t(a)] * wedges + t)] = t * pattern_.edges + a;
-
-        std::vector<Vector> sum;
-        std::vector<int> count;
+        const Round& round = this->round(base.n);
+        const auto n = static_cast<std::size_t>(base.n), made = static_cast<std::size_t>(tiling_.new_vertices(base.n));
+        const double enough = 1e-9 * base.edge;
+        positions_.assign(base.foot.begin(), base.foot.end());
+        positions_.insert(positions_.end(), out, out + made);
         for (int sweep = 0; sweep < 1000; ++sweep) {
-            sum.assign(std::size_t(made), Vector(0.0));
-            count.assign(std::size_t(made), 0);
-            double farthest = 0.0;
-            for (std::size_t f = 0; f < polygons.size(); ++f) {
-                const auto& polygon = polygons[f];
-                if (polygon.size() < 4 && wall_of[f] < 0) continue;
-                Point on(0.0);
-                Vector normal(0.0);
-                for (const int v : polygon) on += position(v);
-                on /= double(polygon.size());
-                if (const int edge = wall_of[f]; edge >= 0) {
-                    const double theta = pattern_.wall_angles[std::size_t(edge % pattern_.edges)] + tilt_;
-                    normal = std::sin(theta) * base.outward[edge] + std::cos(theta) * glm::cross(base.outward[edge], base.along[edge]);
-                    on = base.middle(edge);
-                } else {
-                    for (std::size_t i = 0; i < polygon.size(); ++i)
-                        normal += glm::cross(position(polygon[i]) - on, position(polygon[(i + 1) % polygon.size()]) - on);
-                    normal = unit(normal);
+            // Most faces of most models are flat as they are placed, so nothing is written before one is found that is not.
+            bool flat = true;
+            std::size_t begin = 0;
+            for (std::size_t f = 0; f < round.ends.size(); ++f) {
+                const auto end = static_cast<std::size_t>(round.ends[f]);
+                const int* polygon = round.corners.data() + begin;
+                const std::size_t size = end - begin;
+                begin = end;
+                if (size < 4 && round.over[f] < 0) continue;
+                Point on;
+                Vector normal;
+                plane(base, polygon, size, round.over[f], on, normal);
+                if (flat) {
+                    double farthest = 0.0;
+                    for (std::size_t i = 0; i < size; ++i) farthest = std::max(farthest, std::abs(glm::dot(positions_[std::size_t(polygon[i])] - on, normal)));
+                    if (!(farthest > enough)) continue;
+                    flat = false;
+                    sums_.assign(n + made, {Vector(0.0), 0});
+                    project_earlier(base, round, f);
                 }
-                for (const int v : polygon) {
-                    const double off = glm::dot(position(v) - on, normal);
-                    farthest = std::max(farthest, std::abs(off));
-                    if (v < n) continue;
-                    sum[std::size_t(v - n)] += position(v) - off * normal;
-                    ++count[std::size_t(v - n)];
-                }
+                project(polygon, size, on, normal);
             }
-            if (!(farthest > 1e-9 * base.edge)) return;
-            for (int v = 0; v < made; ++v)
-                if (count[std::size_t(v)] > 0) out[v] = sum[std::size_t(v)] / double(count[std::size_t(v)]);
+            if (flat) break;
+            for (std::size_t v = n; v < n + made; ++v)
+                if (sums_[v].count > 0) positions_[v] = sums_[v].sum / double(sums_[v].count);
+            if (sweep % 16 == 15) breathe();
+        }
+        std::copy(positions_.begin() + base.n, positions_.end(), out);
+    }
+    /// The faces before face `end` of a sweep, which were found flat.
+    void project_earlier(const BaseFrame& base, const Round& round, std::size_t end) const
+    {
+        std::size_t begin = 0;
+        for (std::size_t f = 0; f < end; ++f) {
+            const int* polygon = round.corners.data() + begin;
+            const std::size_t size = static_cast<std::size_t>(round.ends[f]) - begin;
+            begin += size;
+            if (size < 4 && round.over[f] < 0) continue;
+            Point on;
+            Vector normal;
+            plane(base, polygon, size, round.over[f], on, normal);
+            project(polygon, size, on, normal);
         }
     }
+    void plane(const BaseFrame& base, const int* polygon, std::size_t size, int over, Point& on, Vector& normal) const
+    {
+        if (over >= 0) {
+            const double theta = pattern_.wall_angles[std::size_t(over % pattern_.edges)] + tilt_;
+            normal = std::sin(theta) * base.outward[over] + std::cos(theta) * glm::cross(base.outward[over], base.along[over]);
+            on = base.middle(over);
+            return;
+        }
+        on = Point(0.0);
+        for (std::size_t i = 0; i < size; ++i) on += positions_[std::size_t(polygon[i])];
+        on /= double(size);
+        normal = Vector(0.0);
+        Vector spoke = positions_[std::size_t(polygon[size - 1])] - on;
+        for (std::size_t i = 0; i < size; ++i) {
+            const Vector next = positions_[std::size_t(polygon[i])] - on;
+            normal += glm::cross(spoke, next);
+            spoke = next;
+        }
+        normal = unit(normal);
+    }
+    void project(const int* polygon, std::size_t size, const Point& on, const Vector& normal) const
+    {
+        for (std::size_t i = 0; i < size; ++i) {
+            const Point& p = positions_[std::size_t(polygon[i])];
+            Sum& sum = sums_[std::size_t(polygon[i])];
+            sum.sum += p - glm::dot(p - on, normal) * normal;
+            ++sum.count;
+        }
+    }
+    void breathe() const { progress_.step(progress_.fraction()); }
 
     const SolidPattern& pattern_;
     Planar planar_;
     Tiling tiling_;
+    Progress& progress_;
     std::vector<double> heights_; // of each tier
     bool stretched_ = false;
-    double tilt_ = 0.0, cosine_ = 1.0, sine_ = 0.0;
+    double tilt_ = 0.0;
+    std::vector<Hung> hung_;         // of each orbit
+    std::vector<Hung> apex_hung_;    // of the apex: beside each edge of a wedge
     std::vector<std::size_t> order_; // orbits, lower tiers first
-    mutable std::map<int, std::vector<std::vector<int>>> polygons_;
+
+    // Memory from one face to the next.
+    struct Sum {
+        Vector sum;
+        int count;
+    };
+    mutable std::map<int, std::unique_ptr<Round>> rounds_;
+    mutable int last_n_ = 0;
+    mutable const Round* last_ = nullptr;
+    mutable std::vector<Point> ideal_, positions_;
+    mutable std::vector<Sum> sums_; // of the projections of each vertex
+    mutable std::size_t placed_ = 0;
 };
 
 PatternChoice choice_of(const SolidExtrusion& p)
@@ -222,28 +320,56 @@ PatternChoice choice_of(const SolidExtrusion& p)
     return choice;
 }
 
-/// The pattern of a built-in solid is read once and kept; a file may change, and is read every time.
+/// What a pattern is kept under. A file counts as the same while its size and time do not change.
+std::string key_of(const SolidExtrusion& p, const PatternChoice& choice, const Context& context)
+{
+    std::string of = p.solid.text;
+    if (p.solid.is_file()) {
+        namespace fs = std::filesystem;
+        const fs::path file = fs::absolute(context.folder / p.solid.text);
+        std::error_code failed;
+        const std::uintmax_t size = fs::file_size(file, failed);
+        const auto time = fs::last_write_time(file, failed).time_since_epoch().count();
+        if (failed) return {};
+        of = fmt::format("{}\n{} {}", file.string(), size, time);
+    }
+    return fmt::format("{} {} {} {} {} {}", of, choice.sides.value_or(-1), choice.base ? choice.base->index : Face::none, choice.turns.value_or(0), choice.phase,
+                       choice.mirror);
+}
+
+/// Reads a pattern, or finds it among those read last, so that a slider does not read a file for every step it moves.
 std::shared_ptr<const SolidPattern> pattern_for(const SolidExtrusion& p, const Context& context)
 {
-    const PatternChoice choice = choice_of(p);
-    if (p.solid.is_file()) {
-        ASSERT(context.read_mesh, "a way to read mesh files");
-        return std::make_shared<const SolidPattern>(read_pattern(context.read_mesh(p.solid.text), choice));
-    }
+    struct Kept {
+        std::string key;
+        std::shared_ptr<const SolidPattern> pattern;
+    };
     static std::mutex mutex;
-    static std::map<std::string, std::shared_ptr<const SolidPattern>> kept;
-    const std::string key = fmt::format("{} {} {} {} {} {}", p.solid.text, choice.sides.value_or(-1), choice.base ? choice.base->index : Face::none,
-                                        choice.turns.value_or(0), choice.phase, choice.mirror);
+    static std::deque<Kept> kept; // the last one used first
+    constexpr std::size_t most_kept = 64;
+
+    const PatternChoice choice = choice_of(p);
+    const std::string key = key_of(p, choice, context);
+    {
+        const std::lock_guard lock(mutex);
+        if (const auto found = std::ranges::find(kept, key, &Kept::key); found != kept.end() && !key.empty()) {
+            std::rotate(kept.begin(), found, found + 1);
+            return kept.front().pattern;
+        }
+    }
+    ASSERT(!p.solid.is_file() || context.read_mesh, "a way to read mesh files");
+    const Mesh solid = p.solid.is_file() ? context.read_mesh(p.solid.text) : make_solid(p.solid.text, 1.0);
+    auto pattern = std::make_shared<const SolidPattern>(read_pattern(solid, choice));
     const std::lock_guard lock(mutex);
-    std::shared_ptr<const SolidPattern>& pattern = kept[key];
-    if (!pattern) pattern = std::make_shared<const SolidPattern>(read_pattern(make_solid(p.solid.text, 1.0), choice));
+    if (!key.empty()) kept.push_front({key, pattern});
+    if (kept.size() > most_kept) kept.pop_back();
     return pattern;
 }
 
 void extrude_solid(Scene& scene, const SolidExtrusion& p, Context& context)
 {
     const auto pattern = pattern_for(p, context);
-    const SolidKernel kernel(*pattern, p);
+    const SolidKernel kernel(*pattern, p, context.progress);
     std::vector<Face> faces = collect_faces(scene, p);
     for (const Face f : faces) kernel.check(f, scene.mesh.valence(f), p.iterations);
     scene.selection.edit().faces = extrude_faces(scene.mesh, std::move(faces), kernel, p.groups, p.iterations, false, context.progress);
@@ -257,7 +383,9 @@ struct ParameterType<SolidName> {
     static SolidName parse(std::string_view t, const Domain&)
     {
         if (t.empty()) throw CommandError("expected the name of a solid or a mesh file");
-        return {std::string(t)};
+        SolidName solid{std::string(t)};
+        if (!solid.is_file()) check_solid_name(t);
+        return solid;
     }
     static std::string text(const SolidName& x, const Domain&) { return x.text; }
 };

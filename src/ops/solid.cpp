@@ -359,15 +359,23 @@ const std::vector<std::string>& solid_names()
     return names;
 }
 
-Mesh make_solid(std::string_view name, double size)
+namespace {
+
+struct Member {
+    const Family& family;
+    int n; // 0 where the family is one solid
+};
+
+/// @throws CommandError that does not repeat the name
+Member find_solid(std::string_view name)
 {
     const auto colon = name.find(':');
     const std::string_view word = name.substr(0, colon);
     for (const Family& family : families()) {
         if (word != family.name) continue;
         if (family.least == 0) {
-            if (colon != std::string_view::npos) throw CommandError(fmt::format("name={}: expected {} without a number", name, word));
-            return equal_edged(family.points(0), size);
+            if (colon != std::string_view::npos) throw CommandError(fmt::format("expected {} without a number", word));
+            return {family, 0};
         }
         std::uint32_t n = 0;
         try {
@@ -375,14 +383,27 @@ Mesh make_solid(std::string_view name, double size)
         } catch (const CommandError&) {
         }
         if (n < std::uint32_t(family.least) || n > std::uint32_t(family.most))
-            throw CommandError(fmt::format("name={}: expected {}:N with N {} to {}", name, word, family.least, family.most));
-        return equal_edged(family.points(int(n)), size);
+            throw CommandError(fmt::format("expected {}:N with N {} to {}", word, family.least, family.most));
+        return {family, int(n)};
     }
     std::vector<std::string> words;
     for (const Family& family : families()) words.emplace_back(family.name);
     const std::string best = nearest(word, words);
-    throw CommandError(best.empty() ? fmt::format("name={}: expected {}", name, listing(solid_names()))
-                                    : fmt::format("name={}: there is no such solid; did you mean '{}'?", name, best));
+    throw CommandError(best.empty() ? "expected " + listing(solid_names()) : fmt::format("there is no such solid; did you mean '{}'?", best));
+}
+
+} // namespace
+
+void check_solid_name(std::string_view name) { find_solid(name); }
+
+Mesh make_solid(std::string_view name, double size)
+{
+    try {
+        const Member solid = find_solid(name);
+        return equal_edged(solid.family.points(solid.n), size);
+    } catch (const CommandError& e) {
+        throw CommandError(fmt::format("name={}: {}", name, e.what()));
+    }
 }
 
 } // namespace druse

@@ -20,6 +20,9 @@ namespace druse {
 /// Sources: Coxeter, *Regular polytopes* (1973); Johnson, *Convex polyhedra with regular faces* (1966).
 Mesh make_solid(std::string_view name, double size);
 
+/// @throws CommandError for an unknown name, without repeating it: `there is no such solid; did you mean 'cube'?`
+void check_solid_name(std::string_view name);
+
 /// The names above, those of a family with `:N`.
 const std::vector<std::string>& solid_names();
 

@@ -10,14 +10,16 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 namespace druse {
 
 namespace {
 
-constexpr double same_place = 1e-6; // of the base's mean edge: elevations, azimuths and distances that count as equal
 constexpr double full = 2.0 * pi;
-constexpr double same_azimuth = 1e-6 * pi / 180.0;
+
+/// Elevations and distances that count as equal, in mean edges of the base. Numbers in files are often cut short.
+double reach_of(const PatternChoice& choice) { return choice.exact ? 1e-6 : 1e-4; }
 
 /// Finds the point near a place.
 class PointFinder {
@@ -61,7 +63,11 @@ private:
 /// Reads one solid from one base face. The steps are those of SolidPattern's reading, in order; each uses what the ones before left.
 class Reader {
 public:
-    Reader(const Mesh& solid, Face base, const PatternChoice& choice) : solid_(solid), base_(base), choice_(choice) { stand_on_base(); }
+    Reader(const Mesh& solid, Face base, const PatternChoice& choice)
+        : solid_(solid), base_(base), choice_(choice), same_place_(reach_of(choice)), same_azimuth_(choice.exact ? radians(1e-6) : 1e-4)
+    {
+        stand_on_base();
+    }
 
     /// The largest number of turns that carry the solid into itself.
     int largest_turn()
@@ -96,7 +102,10 @@ private:
 
     void stand_on_base()
     {
-        for (const Corner c : solid_.corners(base_)) foot_.push_back(solid_.vertex(c).index);
+        for (const Corner c : solid_.corners(base_)) {
+            foot_.push_back(solid_.vertex(c).index);
+            wall_.push_back(solid_.face(solid_.opposite(c)));
+        }
         const Point origin = vertex_mean(solid_, base_);
         double edge = 0.0;
         for (const Corner c : solid_.corners(base_)) edge += length(solid_, solid_.edge(c)) / sides();
@@ -108,9 +117,12 @@ private:
         for (const Vertex v : solid_.vertices()) {
             const Vector d = (solid_.position(v) - origin) / edge;
             place_.emplace_back(glm::dot(d, x), glm::dot(d, y), glm::dot(d, up));
+            if (const Point& p = place_.back(); !std::isfinite(p.x + p.y + p.z)) throw CommandError("the solid is too large for its base face");
         }
         // From above the base runs clockwise, unless the mirror has turned it round already.
-        if (!choice_.mirror) std::reverse(foot_.begin() + 1, foot_.end());
+        if (choice_.mirror) return;
+        std::reverse(foot_.begin() + 1, foot_.end());
+        std::ranges::reverse(wall_);
     }
 
     void refuse_below_base() const
@@ -118,7 +130,7 @@ private:
         std::vector<bool> in_base(place_.size(), false);
         for (const std::uint32_t v : foot_) in_base[v] = true;
         for (std::size_t v = 0; v < place_.size(); ++v)
-            if (place_[v].z < -same_place || (!in_base[v] && place_[v].z <= same_place)) throw CommandError("the solid reaches below its base face");
+            if (place_[v].z < -same_place_ || (!in_base[v] && place_[v].z <= same_place_)) throw CommandError("the solid reaches below its base face");
     }
 
     // --- symmetry ----------------------------------------------------------------------------------------------------------------
@@ -137,7 +149,7 @@ private:
             for (std::uint32_t v = 0; v < image.size(); ++v) image[v] = v;
             return image;
         }
-        if (!finder_) finder_.emplace(place_, choice_.exact ? 1e-6 : 1e-4);
+        if (!finder_) finder_.emplace(place_, same_place_);
         std::vector<bool> taken(place_.size(), false);
         for (std::uint32_t v = 0; v < image.size(); ++v) {
             image[v] = finder_->find(turned(place_[v], full / k));
@@ -153,11 +165,16 @@ private:
         return image;
     }
 
-    Corner side(std::uint32_t from, std::uint32_t to) const
+    /// The corner whose side runs from one vertex to another; at most one, as no two edges join the same vertices.
+    Corner side(std::uint32_t from, std::uint32_t to)
     {
-        for (const Corner c : solid_.around(Vertex(from)))
-            if (solid_.target(c).index == to) return c;
-        return {};
+        if (sides_.empty()) {
+            for (const Face f : solid_.faces())
+                for (const Corner c : solid_.corners(f)) sides_.push_back({solid_.vertex(c).index, solid_.target(c).index, c});
+            std::ranges::sort(sides_, {}, &Side::ends);
+        }
+        const auto found = std::ranges::lower_bound(sides_, std::pair(from, to), {}, &Side::ends);
+        return found != sides_.end() && found->ends() == std::pair(from, to) ? found->corner : Corner();
     }
 
     /// Makes the symmetry of coordinates from a file exact: every vertex becomes the mean of its images, turned back.
@@ -175,13 +192,7 @@ private:
     // --- phase ---------------------------------------------------------------------------------------------------------------------
 
     /// The face over base edge i, from foot i to foot i + 1.
-    Face wall(int i) const
-    {
-        const std::uint32_t a = foot_[std::size_t(i % sides())], b = foot_[std::size_t((i + 1) % sides())];
-        const Corner c = side(a, b), d = side(b, a);
-        ASSERT(c.valid() && d.valid(), "base edges with two sides");
-        return solid_.face(solid_.face(c) == base_ ? d : c);
-    }
+    Face wall(int i) const { return wall_[std::size_t(i % sides())]; }
 
     void turn_to_phase()
     {
@@ -197,6 +208,7 @@ private:
         for (int r = 1; r < m; ++r)
             if (later_is_larger(best, r)) best = r;
         std::rotate(foot_.begin(), foot_.begin() + (best + choice_.phase) % m, foot_.end());
+        std::rotate(wall_.begin(), wall_.begin() + (best + choice_.phase) % m, wall_.end());
         const Point& first = place_[foot_[0]];
         const double azimuth = std::atan2(first.y, first.x);
         for (Point& p : place_) p = turned(p, -azimuth);
@@ -213,15 +225,15 @@ private:
 
     // --- vertices ----------------------------------------------------------------------------------------------------------------
 
-    static bool on_axis(const Point& p) { return std::hypot(p.x, p.y) < same_place; }
+    bool on_axis(const Point& p) const { return std::hypot(p.x, p.y) < same_place_; }
     /// 0 … 360°, where what lies just below 360° counts as 0.
-    static double azimuth(const Point& p)
+    double azimuth(const Point& p) const
     {
         double a = std::atan2(p.y, p.x);
         if (a < 0.0) a += full;
-        return a > full - same_azimuth ? 0.0 : a;
+        return a > full - same_azimuth_ ? 0.0 : a;
     }
-    bool in_first_wedge(const Point& p) const { return azimuth(p) < wedge_angle() - same_azimuth; }
+    bool in_first_wedge(const Point& p) const { return azimuth(p) < wedge_angle() - same_azimuth_; }
 
     void find_orbits()
     {
@@ -244,7 +256,7 @@ private:
         std::vector<std::pair<std::uint32_t, int>> first; // representative and tier
         std::optional<std::pair<std::uint32_t, int>> apex;
         for (const std::uint32_t v : raised) {
-            if (tier == 0 || place_[v].z > elevation + same_place) {
+            if (tier == 0 || place_[v].z > elevation + same_place_) {
                 ++tier;
                 elevation = place_[v].z;
             }
@@ -308,7 +320,7 @@ private:
         for (std::size_t i = 0; i < off_axis.size(); ++i) {
             const std::size_t a = off_axis[i], b = off_axis[(i + 1) % off_axis.size()];
             steps.push_back(turn_between(azimuth(place_[w.vertices[a]]), azimuth(place_[w.vertices[b]])));
-            if (std::abs(std::abs(steps.back()) - pi) < same_azimuth) {
+            if (std::abs(std::abs(steps.back()) - pi) < same_azimuth_) {
                 w.crosses_axis = w.crosses_axis || b == (a + 1) % n;
                 straight.push_back(i);
             }
@@ -360,7 +372,7 @@ private:
             if (w.crosses_axis) {
                 for (std::size_t i = 0; i < w.vertices.size(); ++i) {
                     const std::uint32_t a = w.vertices[i], b = w.vertices[(i + 1) % w.vertices.size()];
-                    if (!on_axis(place_[a]) && !on_axis(place_[b]) && std::abs(std::abs(turn_between(azimuth(place_[a]), azimuth(place_[b]))) - pi) < same_azimuth)
+                    if (!on_axis(place_[a]) && !on_axis(place_[b]) && std::abs(std::abs(turn_between(azimuth(place_[a]), azimuth(place_[b]))) - pi) < same_azimuth_)
                         crossing.push_back(orbit_of_[a]);
                 }
             }
@@ -377,12 +389,12 @@ private:
                     ++counted;
                 }
             const double shift = counted > 0 && !on_axis(middle) ? full * std::round((azimuth(middle) - mean / counted) / full) : 0.0;
-            Row row{std::round(middle.z / same_place), std::round(azimuth(middle) / same_place), {}, f};
+            Row row{std::round(middle.z / same_place_), std::round(azimuth(middle) / same_place_), {}, f};
             std::size_t lowest = 0;
             for (std::size_t i = 0; i < w.vertices.size(); ++i) {
                 w.lifted[i] += shift;
                 const double z = place_[w.vertices[i]].z, least = place_[w.vertices[lowest]].z;
-                if (z < least - same_place || (z <= least + same_place && w.lifted[i] < w.lifted[lowest] - same_azimuth)) lowest = i;
+                if (z < least - same_place_ || (z <= least + same_place_ && w.lifted[i] < w.lifted[lowest] - same_azimuth_)) lowest = i;
             }
             for (std::size_t k = 0; k < w.vertices.size(); ++k) {
                 const std::size_t i = (lowest + k) % w.vertices.size();
@@ -405,8 +417,10 @@ private:
 
     void set_top(std::vector<std::uint32_t> corners)
     {
+        const auto by_azimuth = [this](std::uint32_t v) { return azimuth(place_[v]); };
+        std::ranges::rotate(corners, std::ranges::min_element(corners, {}, by_azimuth));
+        if (!std::ranges::is_sorted(corners, {}, by_azimuth)) wraps(); // it turns back on its way round
         std::erase_if(corners, [this](std::uint32_t v) { return wedges() > 1 && !in_first_wedge(place_[v]); });
-        std::ranges::stable_sort(corners, {}, [this](std::uint32_t v) { return azimuth(place_[v]); });
         for (const std::uint32_t v : corners) pattern_.top.push_back(orbit_of_[v]);
     }
 
@@ -420,19 +434,20 @@ private:
 
     void find_wall_rows()
     {
-        for (int a = 0; a < pattern_.edges; ++a) {
-            const Tiling::Spot from{-1 - a, 0}, to = a + 1 < pattern_.edges ? Tiling::Spot{-2 - a, 0} : Tiling::Spot{-1, 1};
-            int found = -1;
-            for (std::size_t r = 0; r < pattern_.rows.size(); ++r) {
-                const auto& row = pattern_.rows[r];
-                for (std::size_t i = 0; i < row.size(); ++i) {
-                    const Tiling::Spot &p = row[i], &q = row[(i + 1) % row.size()];
-                    if (p.orbit == from.orbit && q.orbit == to.orbit && q.wedge - p.wedge == to.wedge - from.wedge) found = static_cast<int>(r);
-                }
+        const int m = pattern_.edges;
+        pattern_.wall_rows.assign(std::size_t(m), SolidPattern::top_row);
+        for (std::size_t r = 0; r < pattern_.rows.size(); ++r) {
+            const auto& row = pattern_.rows[r];
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                const Tiling::Spot &from = row[i], &to = row[(i + 1) % row.size()];
+                const int a = -1 - from.orbit;
+                const bool last = a == m - 1; // its edge ends in the next wedge
+                if (a < 0 || to.orbit != (last ? -1 : from.orbit - 1) || to.wedge - from.wedge != (last ? 1 : 0)) continue;
+                pattern_.wall_rows[std::size_t(a)] = static_cast<int>(r);
             }
-            if (found < 0) wraps();
-            pattern_.wall_rows.push_back(found);
         }
+        // Where nothing is turned, the axis may leave the solid through a wall, which then is the top.
+        if (std::ranges::count(pattern_.wall_rows, SolidPattern::top_row) > (wedges() == 1 && !pattern_.top.empty() ? 1 : 0)) wraps();
     }
 
     // --- where vertices hang -------------------------------------------------------------------------------------------------------
@@ -470,9 +485,9 @@ private:
         const auto middle = [this](int e) { return 0.5 * (foot(e) + foot(e + 1)); };
         int nearest = 0;
         for (int e = 1; e < sides(); ++e)
-            if (glm::distance(p, middle(e)) < glm::distance(p, middle(nearest)) - same_place) nearest = e;
+            if (glm::distance(p, middle(e)) < glm::distance(p, middle(nearest)) - same_place_) nearest = e;
         const double least = glm::distance(p, middle(nearest));
-        const auto ties = [&](int e) { return std::abs(glm::distance(p, middle(e)) - least) <= same_place; };
+        const auto ties = [&](int e) { return std::abs(glm::distance(p, middle(e)) - least) <= same_place_; };
         int corner = -1;
         if (ties(nearest + 1)) corner = nearest + 1;
         else if (ties(nearest - 1)) corner = nearest;
@@ -480,8 +495,8 @@ private:
         const double own = azimuth(p);
         if (corner < 0) {
             place = beside_edge(nearest, p);
-            if (place.along < -same_place) corner = nearest;
-            if (place.along > 1.0 + same_place) corner = nearest + 1;
+            if (place.along < -same_place_) corner = nearest;
+            if (place.along > 1.0 + same_place_) corner = nearest + 1;
         }
         if (corner >= 0) {
             place = over_corner(corner, p);
@@ -508,7 +523,7 @@ private:
         if (orbit.below.empty()) {
             std::uint32_t nearest = foot_[0];
             for (std::uint32_t w = 0; w < place_.size(); ++w)
-                if (tier_of(w) < orbit.tier && glm::distance(place_[w], place_[v]) < glm::distance(place_[nearest], place_[v]) - same_place) nearest = w;
+                if (tier_of(w) < orbit.tier && glm::distance(place_[w], place_[v]) < glm::distance(place_[nearest], place_[v]) - same_place_) nearest = w;
             orbit.below.push_back(spot_near(nearest));
         }
         // The apex has the neighbours of one wedge in every wedge.
@@ -523,13 +538,64 @@ private:
     const Mesh& solid_;
     const Face base_;
     const PatternChoice& choice_;
+    const double same_place_, same_azimuth_; // radians
     SolidPattern pattern_;
     std::vector<std::uint32_t> foot_;           // the base's vertices, counter-clockwise from above
+    std::vector<Face> wall_;                    // over the edges from each of them
     std::vector<Point> place_;                  // of each vertex, in the frame
     std::vector<std::uint32_t> next_;           // image under the turn by one wedge
     std::vector<int> orbit_of_, wedge_of_;      // base orbits are −1, −2, …
     std::vector<std::uint32_t> representative_; // of each orbit
     std::optional<PointFinder> finder_;
+    struct Side {
+        std::uint32_t from, to;
+        Corner corner;
+        std::pair<std::uint32_t, std::uint32_t> ends() const { return {from, to}; }
+    };
+    std::vector<Side> sides_; // by their ends; empty until one is looked for
+};
+
+/// What the reading relies on: faces with three different vertices or more, and one edge at most between two vertices.
+void refuse_degenerate(const Mesh& solid)
+{
+    std::vector<std::uint32_t> met(solid.vertex_limit(), Face::none);
+    for (const Face f : solid.faces()) {
+        if (solid.valence(f) < 3) throw CommandError(fmt::format("face {} of the solid has {} corner{}", f.index, solid.valence(f), solid.valence(f) == 1 ? "" : "s"));
+        for (const Corner c : solid.corners(f))
+            if (std::exchange(met[solid.vertex(c).index], f.index) == f.index)
+                throw CommandError(fmt::format("face {} of the solid passes vertex {} twice", f.index, solid.vertex(c).index));
+    }
+    std::ranges::fill(met, Vertex::none);
+    for (const Vertex v : solid.vertices())
+        for (const Corner c : solid.around(v))
+            if (std::exchange(met[solid.target(c).index], v.index) == v.index)
+                throw CommandError(fmt::format("two edges of the solid join vertices {} and {}", v.index, solid.target(c).index));
+}
+
+/// The largest number of turns about each face's axis.
+class TurnFinder {
+public:
+    TurnFinder(const Mesh& solid, const PatternChoice& choice) : solid_(solid), choice_(choice)
+    {
+        for (const Vertex v : solid.vertices()) mean_ += solid.position(v) / double(solid.vertex_count());
+    }
+    int largest(Face f) const { return may_turn(f) ? Reader(solid_, f, choice_).largest_turn() : 1; }
+
+private:
+    /// A turn that carries the solid into itself keeps the mean of its vertices, so that lies on the axis. A solid has few such faces,
+    /// which spares looking at all vertices for each face.
+    bool may_turn(Face f) const
+    {
+        const Vector normal = unit_normal(solid_, f), offset = mean_ - vertex_mean(solid_, f);
+        double around = 0.0;
+        for (const Corner c : solid_.corners(f)) around += length(solid_, solid_.edge(c));
+        // Each vertex may miss its image by the reach, and so may the mean; a turn by 360°/n moves it 2 sin(180°/n) times its distance.
+        const int n = solid_.valence(f);
+        return glm::length(offset - glm::dot(offset, normal) * normal) <= reach_of(choice_) * around / n / (2.0 * std::sin(pi / n)) + 1e-9 * glm::length(offset);
+    }
+    const Mesh& solid_;
+    const PatternChoice& choice_;
+    Point mean_{0.0};
 };
 
 } // namespace
@@ -553,19 +619,21 @@ SolidPattern read_pattern(const Mesh& solid, const PatternChoice& choice)
     if (solid.boundary_count() > 0) throw CommandError("the solid is open");
     if (const Components parts = components(solid); parts.parts.size() != 1 || parts.parts[0].euler != 2)
         throw CommandError("the solid must be closed, in one piece and without holes through it");
+    refuse_degenerate(solid);
+    const TurnFinder turn(solid, choice);
     Face base;
     int turns = 0;
     if (choice.base) {
         base = *choice.base;
         if (base.index >= solid.face_limit()) throw CommandError(fmt::format("the solid has no face {}", base.index));
-        turns = Reader(solid, base, choice).largest_turn();
+        turns = turn.largest(base);
     } else {
         int sides = 0;
         for (const Face f : solid.faces()) {
             const int n = solid.valence(f);
-            // A face cannot beat the best one so far if it has too few sides to turn as often.
-            if ((choice.sides && n != *choice.sides) || n < 3 || n < turns) continue;
-            const int k = Reader(solid, f, choice).largest_turn();
+            // A face cannot beat the best one so far if it has too few sides to turn more often.
+            if ((choice.sides && n != *choice.sides) || n < turns || (n == sides && turns == n)) continue;
+            const int k = turn.largest(f);
             if (k > turns || (k == turns && n > sides)) {
                 base = f;
                 turns = k;

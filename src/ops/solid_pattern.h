@@ -42,7 +42,8 @@ struct SolidPattern {
     std::vector<double> wall_angles;  // interior dihedral over each base edge of a wedge, radians
     std::vector<Orbit> orbits;        // the apex last
     std::vector<std::vector<Tiling::Spot>> rows;
-    std::vector<int> wall_rows;       // the row over each base edge of a wedge
+    static constexpr int top_row = -1;
+    std::vector<int> wall_rows;       // the row over each base edge of a wedge, or top_row where that wall is the top
     std::vector<int> top;             // orbits around the top face or edge, by azimuth within a wedge
 
     Tiling tiling() const;

@@ -1,8 +1,6 @@
 // The seven tiered extrusions against the numbers of the literature: counts, the regular solids they are named after, volumes off
 // the regular polygon, numbering of vertices, edges, faces and groups, and what they refuse.
-#include "dlfl/mesh_builder.h"
-#include "ops/extrude.h"
-#include "ops/registry.h"
+#include "extrude_bases.h"
 #include "ops/tiered_kernels.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
@@ -18,19 +16,6 @@ namespace {
 
 using namespace test;
 
-/// A polygon in z = 0 with two sides; face 0 looks up.
-Mesh two_sided(const std::vector<Point>& corners)
-{
-    MeshBuilder builder;
-    std::vector<std::uint32_t> up, down;
-    for (const Point& p : corners) up.push_back(builder.add_vertex(p));
-    down.push_back(up[0]);
-    down.insert(down.end(), up.rbegin(), up.rend() - 1);
-    builder.add_face(up);
-    builder.add_face(down);
-    return builder.build();
-}
-
 Mesh regular(int n)
 {
     std::vector<Point> corners;
@@ -38,18 +23,6 @@ Mesh regular(int n)
     for (int i = 0; i < n; ++i) corners.emplace_back(radius * std::cos(2 * std::numbers::pi * i / n), radius * std::sin(2 * std::numbers::pi * i / n), 0);
     return two_sided(corners);
 }
-Mesh l_shape() { return two_sided({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}); }
-Mesh irregular() { return two_sided({{0, 0, 0}, {3, 0, 0}, {3.5, 1, 0}, {2, 2, 0}, {0, 1, 0}}); }
-Mesh star()
-{
-    std::vector<Point> corners;
-    for (int i = 0; i < 10; ++i) {
-        const double r = i % 2 == 0 ? 2.2 : 1.0, a = std::numbers::pi * i / 5;
-        corners.emplace_back(r * std::cos(a), r * std::sin(a), 0);
-    }
-    return two_sided(corners);
-}
-
 struct Settings {
     NewGroups groups = NewGroups::each;
     int iterations = 1;
@@ -235,7 +208,7 @@ const Block blocks[] = {
 TEST(OffTheRegularPolygon, VolumesAndElevationsAreThoseOfTheTable)
 {
     const std::map<std::string, Mesh (*)()> bases{
-        {"hex", [] { return regular(6); }}, {"L", &l_shape}, {"irregular", &irregular}, {"star", &star}};
+        {"hex", [] { return regular(6); }}, {"L", &l_shape}, {"irregular", &irregular}, {"star", [] { return star(); }}};
     for (const Block& block : blocks) {
         SCOPED_TRACE(std::string(block.name) + " on " + block.base);
         Mesh mesh = bases.at(block.base)();
