@@ -251,19 +251,32 @@ private:
 };
 
 /// @throws CommandError `would make N edges` if N, after `iterations` steps of that growth, is more than 20 million
-void refuse_too_large(std::uint32_t edges, std::size_t growth, int iterations);
+void refuse_too_large(std::uint64_t edges, std::size_t growth, int iterations);
+/// The same where a step adds `n` edges for each of `found` faces with n sides, or vertices with n edges. It makes others with three
+/// in their place, so that further steps do nothing unless n is 3.
+void refuse_too_large_where(std::uint64_t edges, std::uint32_t n, std::uint64_t found, int iterations);
 
-/// One step of a kernel: `static constexpr Scheme scheme`, and `void place(const OldMesh&, const NewPoints&, Progress&) const`,
-/// which writes the positions.
-template <class Kernel>
-Mesh apply_once(const Mesh& mesh, const Kernel& kernel, RemeshGroups groups, Progress& progress)
+template <const Scheme& scheme, class Kernel>
+Mesh apply_scheme(const Mesh& mesh, const Kernel& kernel, RemeshGroups groups, Progress& progress)
 {
-    using KernelBuilder = Builder<Kernel::scheme>;
-    OldMesh old(mesh, KernelBuilder::least_valence);
-    KernelBuilder builder(old, groups, progress);
+    OldMesh old(mesh, Builder<scheme>::least_valence);
+    Builder<scheme> builder(old, groups, progress);
     builder.connect();
     kernel.place(old, builder.points(), progress);
     return builder.take();
+}
+
+template <class Kernel>
+inline constexpr Scheme mirrored_scheme = mirrored(Kernel::scheme);
+
+/// One step of a kernel: `static constexpr Scheme scheme`, and `void place(const OldMesh&, const NewPoints&, Progress&) const`,
+/// which writes the positions. If it has a `bool mirror`, that chooses the mirror image of the scheme.
+template <class Kernel>
+Mesh apply_once(const Mesh& mesh, const Kernel& kernel, RemeshGroups groups, Progress& progress)
+{
+    if constexpr (requires { kernel.mirror; })
+        if (kernel.mirror) return apply_scheme<mirrored_scheme<Kernel>>(mesh, kernel, groups, progress);
+    return apply_scheme<Kernel::scheme>(mesh, kernel, groups, progress);
 }
 
 } // namespace remesh
@@ -293,18 +306,23 @@ Definition<Remeshing<Kernel>> define_remeshing(std::string name, std::string hel
     return define<Remeshing<Kernel>>(std::move(name), std::move(help));
 }
 
+/// Adds the parameters that all of them share.
+template <class P>
+void add_shared_parameters(Definition<P>& definition)
+{
+    definition.param(&P::iterations, "iterations", Unit::count, {1, 20}, "how often")
+        .param(&P::groups, "groups", words({"absolute", "keep", "none"}), "group ids: by where a new face comes from, of the old faces, or none");
+}
+
 /// Ends a registration begun with define_remeshing: the parameters that all of them share, and what runs.
 template <class Kernel>
 Operator complete(Definition<Remeshing<Kernel>>& definition)
 {
-    using P = Remeshing<Kernel>;
-    definition.param(&P::iterations, "iterations", Unit::count, {1, 20}, "how often")
-        .param(&P::groups, "groups", words({"absolute", "keep", "none"}), "group ids: by where a new face comes from, of the old faces, or none")
-        .keeps_euler()
-        .run([](Scene& scene, const P& p, Context& context) {
-            scene.mesh.replace_with(remeshed<Kernel>(scene.mesh, p, p.iterations, p.groups, context.progress));
-            scene.selection.edit() = Selection();
-        });
+    add_shared_parameters(definition);
+    definition.keeps_euler().run([](Scene& scene, const Remeshing<Kernel>& p, Context& context) {
+        scene.mesh.replace_with(remeshed<Kernel>(scene.mesh, p, p.iterations, p.groups, context.progress));
+        scene.selection.edit() = Selection();
+    });
     return definition;
 }
 

@@ -1,24 +1,24 @@
 #include "ops/remesh_catmull_clark.h"
 
 #include "ops/remesh.h"
-#include "ops/remesh_means.h"
+#include "ops/remesh_points.h"
 
 namespace druse {
 
 void CatmullClark::place(const remesh::OldMesh& old, const remesh::NewPoints& to, Progress& progress) const
 {
     const std::span<const Point> from = old.positions();
-    remesh::write_face_means(old, to.face_point, progress);
-    for (std::uint32_t e = 0; e < old.edges(); ++e) {
-        const std::uint32_t a = old.corner_of_side(2 * e), b = old.corner_of_side(2 * e + 1);
-        const Point ends = from[old.vertex(a)] + from[old.vertex(b)];
-        to.edge_point[e] = smooth ? 0.25 * (ends + (to.face_point[old.face(a)] + to.face_point[old.face(b)])) : 0.5 * ends;
-    }
-    progress.step(0.9);
+    write_face_means(old, to.face_point, progress);
     if (!smooth) {
-        std::copy(from.begin(), from.end(), to.old_vertex);
+        write_edge_midpoints(old, to.edge_point);
+        write_old_vertices(old, to.old_vertex);
         return;
     }
+    for (std::uint32_t e = 0; e < old.edges(); ++e) {
+        const std::uint32_t a = old.corner_of_side(2 * e), b = old.corner_of_side(2 * e + 1);
+        to.edge_point[e] = 0.25 * ((from[old.vertex(a)] + from[old.vertex(b)]) + (to.face_point[old.face(a)] + to.face_point[old.face(b)]));
+    }
+    progress.step(0.9);
     // m²·(Q + 2R)/m is the sum, over the corners, of the face point and both ends of the side that starts there.
     std::fill_n(to.old_vertex, old.vertices(), Point(0.0));
     for (std::uint32_t f = 0; f < old.faces(); ++f)
@@ -30,13 +30,25 @@ void CatmullClark::place(const remesh::OldMesh& old, const remesh::NewPoints& to
     }
 }
 
-Operator remesh_catmull_clark_operator()
+namespace {
+
+struct Linear : CatmullClark {
+    Linear() : CatmullClark{false} {}
+};
+
+} // namespace
+
+void add_remesh_catmull_clark(Registry& registry)
 {
-    auto definition = define_remeshing<CatmullClark>("remesh.catmull_clark", "Make a quad in each corner, and smooth");
-    definition.param(&CatmullClark::smooth, "smooth", "move the old vertices and edge points; otherwise edges are halved")
+    auto smooth = define_remeshing<CatmullClark>("remesh.catmull_clark", "Make a quad in each corner, and smooth");
+    smooth.param(&CatmullClark::smooth, "smooth", "move the old vertices and edge points; otherwise edges are halved")
         .example("remesh.catmull_clark iterations=2")
         .cites("Catmull & Clark 1978");
-    return complete(definition);
+    registry.add(complete(smooth));
+
+    auto linear = define_remeshing<Linear>("remesh.linear", "Make a quad in each corner, and leave the shape as it is");
+    linear.alias("remesh.ortho").example("remesh.linear iterations=2").cites("Conway, Burgiel & Goodman-Strauss 2008, ch. 21");
+    registry.add(complete(linear));
 }
 
 } // namespace druse

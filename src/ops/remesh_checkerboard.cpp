@@ -26,13 +26,13 @@ void Checkerboard::place(const remesh::OldMesh& old, const remesh::NewPoints& to
     }
 }
 
-Operator remesh_checkerboard_operator()
+void add_remesh_checkerboard(Registry& registry)
 {
     auto definition = define_remeshing<Checkerboard>("remesh.checkerboard", "Make a smaller face in a frame of quads of every face");
     definition.param(&Checkerboard::t, "t", Unit::ratio, between(0, 0.5), "where edges are cut, as a fraction of their length from each end")
         .example("remesh.checkerboard t=0.25")
         .cites("Landreneau 2005, III.5, fig. 18");
-    return complete(definition);
+    registry.add(complete(definition));
 }
 
 } // namespace druse

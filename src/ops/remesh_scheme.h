@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -95,6 +96,47 @@ struct Scheme {
     std::array<Polygon, 2> side{};   // at each side of each old edge: these polygons
     Polygon vertex;                  // over each old vertex: one polygon, to which each of its corners adds this
 };
+
+// --- the mirror image ----------------------------------------------------------------------------------------------------------
+
+/// In a mirror `on` and `back` change places, and the side that ends at a corner is the one that starts there.
+constexpr Way mirrored(const Way& way)
+{
+    Way result;
+    for (std::size_t i = 0; i < way.size; ++i) {
+        const Step s = way.steps[i];
+        result = s == on ? result.then(back) : s == back ? result.then(on) : result.then(back).then(across).then(on);
+    }
+    return result;
+}
+constexpr Name mirrored(Name name)
+{
+    name.way = mirrored(name.way);
+    if (name.kind == Kind::edge_point) name.way = name.way.then(back);
+    if (name.kind == Kind::side_point) name.way = name.way.then(back).then(across);
+    return name;
+}
+/// `kept` names stay in front, the others run the other way round them; `first` is where the polygon is seen from.
+constexpr Polygon mirrored(Polygon p, std::size_t kept, const Way& first = {})
+{
+    for (Name& name : p.names) {
+        name = mirrored(name);
+        name.way = first.then(name.way);
+    }
+    if (p.size > kept) std::reverse(p.names.begin() + kept, p.names.begin() + p.size);
+    return p;
+}
+
+/// The same on a mesh seen in a mirror. What belongs to a corner belongs to it there too.
+constexpr Scheme mirrored(Scheme s)
+{
+    s.face = mirrored(s.face, 0);
+    for (Polygon& p : s.corner) p = mirrored(p, 1);
+    s.edge = mirrored(s.edge, 0, Way().then(on));
+    for (Polygon& p : s.side) p = mirrored(p, 1, Way().then(on));
+    s.vertex = mirrored(s.vertex, 0);
+    return s;
+}
 
 // --- layouts: where polygons come from, in the order in which faces are numbered --------------------------------------------
 

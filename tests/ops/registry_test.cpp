@@ -74,7 +74,7 @@ TEST_P(EveryOperator, HasHelpSourceAndExample)
     EXPECT_FALSE(op.help.ends_with('.'));
     EXPECT_FALSE(op.source.empty());
     EXPECT_TRUE(op.example.starts_with(op.name)) << op.example;
-    for (const char c : op.name) EXPECT_TRUE((c >= 'a' && c <= 'z') || c == '_' || c == '.') << op.name;
+    for (const char c : op.name) EXPECT_TRUE((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.') << op.name;
 }
 
 TEST_P(EveryOperator, SaysOfEveryParameterWhatItIs)
