@@ -24,7 +24,10 @@ install_packages() {
 # build PRESET [TARGET]: configures on the first call, then compiles what has changed.
 build() {
     local launcher=()
-    command -v ccache > /dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    if command -v ccache > /dev/null; then
+        launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+        export CCACHE_SLOPPINESS=pch_defines,time_macros # what it asks for to keep files that use precompiled headers
+    fi
     cmake --preset "$1" "${launcher[@]}" > /dev/null
     cmake --build --preset "$1" ${2:+--target "$2"}
 }
