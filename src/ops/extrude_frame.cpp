@@ -22,37 +22,24 @@ constexpr double same_plane = 1e-8; // two unit normals whose sum or difference 
 
 } // namespace
 
-Vector BaseFrame::crest(int i) const
+// Two walls share one line. Where they are nearly one plane (a straight corner), or nearly opposite, that line loses its digits, and
+// what is left of `up` in both walls takes its place; the two agree wherever both are good.
+Vector BaseFrame::crest_of_one_plane(int i) const
 {
-    const Vector& a = wall[i - 1];
-    const Vector& b = wall[i];
-    const Vector up = glm::cross(outward[i - 1], along[i - 1]) + glm::cross(outward[i], along[i]);
-    // Two walls at an angle share one line. Where they are nearly one plane (a straight corner), or nearly opposite, that line
-    // loses its digits, and what is left of `up` in both walls takes its place; the two agree wherever both are good.
-    const Vector line = glm::cross(a, b);
-    if (const double square = glm::dot(line, line); square > 1e-6)
-        return line * (std::copysign(1.0, glm::dot(line, up)) / std::sqrt(square));
-    return unit(without(without(up, a + b, same_plane), a - b, same_plane));
+    const Vector &a = wall[i - 1], &b = wall[i];
+    return unit(without(without(up[i - 1] + up[i], a + b, same_plane), a - b, same_plane));
 }
 
-Vector BaseFrame::meet(const Vector& a, const Vector& b) const
+Vector BaseFrame::meet_level(const Vector& a, const Vector& b) const
 {
     Vector steepest(0.0);
     for (const Vector& plane : {a, b}) steepest += unit(normal - glm::dot(normal, plane) * plane, 1e-9);
     steepest = unit(steepest, 1e-9, normal);
     const Vector line = without(without(normal, a + b, same_plane), a - b, same_plane);
     const double rise = glm::length(line); // sine of the line's slope above the base
-    const double x = std::clamp((rise - 0.05) / 0.10, 0.0, 1.0);
+    const double x = std::clamp((rise - 0.05) / (level_line - 0.05), 0.0, 1.0);
     const double weight = x * x * (3.0 - 2.0 * x);
     return unit(weight * unit(line) + (1.0 - weight) * steepest);
-}
-
-Hinge::Hinge(const Point& p, const Point& q, const Vector& face_normal, const Angle& angle)
-{
-    const Vector side = unit(q - p);
-    const Vector inward = glm::cross(face_normal, side);
-    away = angle.cosine * inward - angle.sine * face_normal;
-    normal = glm::cross(away, side);
 }
 
 Angle::Angle(double degrees)
@@ -67,9 +54,9 @@ const BaseFrame& FrameMaker::measure(const Mesh& mesh, Face face, std::span<cons
     const auto fail = [face](const std::string& reason) { throw CommandError(fmt::format("face {}: {}", face.index, reason)); };
     const int n = frame_.n = static_cast<int>(ring.size());
     if (n < 3) fail(fmt::format("has {} corner{}", n, n == 1 ? "" : "s"));
-    if (values_.size() < 5 * ring.size()) values_.resize(5 * ring.size());
+    if (values_.size() < 6 * ring.size()) values_.resize(6 * ring.size());
     const auto cycle = [&](int which) { return Cycle<Vector>(values_.data() + std::size_t(which) * ring.size(), n); };
-    const auto foot = cycle(0), along = cycle(1), outward = cycle(2), climb = cycle(3), wall = cycle(4);
+    const auto foot = cycle(0), along = cycle(1), outward = cycle(2), up = cycle(3), climb = cycle(4), wall = cycle(5);
 
     for (int i = 0; i < n; ++i) foot[i] = mesh.position(ring[std::size_t(i)]);
     Vector newell(0.0), spoke(0.0); // the spokes run from corner 0, so that a face far from the origin loses no digits
@@ -97,9 +84,9 @@ const BaseFrame& FrameMaker::measure(const Mesh& mesh, Face face, std::span<cons
     const auto [sine, cosine] = frame_.angle;
     for (int i = 0; i < n; ++i) {
         outward[i] = unit(glm::cross(along[i], frame_.normal));
-        const Vector up = glm::cross(outward[i], along[i]);
-        climb[i] = sine * up - cosine * outward[i];
-        wall[i] = sine * outward[i] + cosine * up; // along × climb
+        up[i] = glm::cross(outward[i], along[i]);
+        climb[i] = sine * up[i] - cosine * outward[i];
+        wall[i] = sine * outward[i] + cosine * up[i]; // along × climb
     }
     if (mitred)
         for (int i = 0; i < n; ++i)
@@ -109,6 +96,7 @@ const BaseFrame& FrameMaker::measure(const Mesh& mesh, Face face, std::span<cons
     frame_.foot = view(foot);
     frame_.along = view(along);
     frame_.outward = view(outward);
+    frame_.up = view(up);
     frame_.climb = view(climb);
     frame_.wall = view(wall);
     return frame_;
