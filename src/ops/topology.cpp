@@ -33,7 +33,7 @@ void delete_edges(Scene& scene, const DeleteEdges& p, Context& context)
     for (const Edge e : edges)
         if (mesh.is_on_boundary(e)) throw CommandError(fmt::format("edge {} lies on an open boundary", e.index));
 
-    // A face that falls apart may take the id of one that was merged before, so what goes leaves the selection at once.
+    // A face that falls apart may take the id of one that was merged before, or a new one, so what goes leaves the selection at once.
     std::vector<bool> selected(mesh.face_limit(), false);
     for (const Face f : scene.selection->faces) selected[f.index] = true;
     bool lost = false;
@@ -43,7 +43,7 @@ void delete_edges(Scene& scene, const DeleteEdges& p, Context& context)
         const auto beside = mesh.faces(edges[i]);
         mesh.delete_edge(edges[i], p.cleanup);
         for (const Face f : beside)
-            if (!mesh.is_alive(f) && selected[f.index]) {
+            if (!mesh.is_alive(f) && f.index < selected.size() && selected[f.index]) {
                 selected[f.index] = false;
                 lost = true;
             }

@@ -1,4 +1,5 @@
 // topology.*: the effects of the minimal operators on V, E, F and χ, on ids and on the selection.
+#include "dlfl/mesh_builder.h"
 #include "run.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
@@ -128,6 +129,36 @@ TEST(DeleteEdge, KeepsSelectedWhatSurvivesAndNothingElse)
     run(scene, "topology.delete_edge", {{"edges", std::to_string(merging.index) + ",24"}});
     EXPECT_EQ(ids(scene.selection->faces), Ids{goes.index + 1});
     EXPECT_EQ(counts(scene.mesh), (Counts{16, 23, 11}));
+}
+
+TEST(DeleteEdge, TakesApartAgainAFaceThatItMade)
+{
+    // A prism and a cube joined by a tether, 64 faces in all, and the joined face with the tether comes first. When the tether goes, that
+    // face falls apart, and its other part is number 64: beyond all faces there were, and deleted with its edges later on.
+    Scene joined;
+    run(joined, "make.prism", {{"n", "57"}});
+    run(joined, "make.cube");
+    const Mesh& apart = joined.mesh;
+    run(joined, "topology.insert_edge", {{"c1", "3:0"}, {"c2", std::to_string(apart.face_count() - 1) + ":0"}});
+    MeshBuilder builder;
+    for (const Vertex v : apart.vertices()) builder.add_vertex(apart.position(v));
+    const auto add = [&](Corner first) {
+        std::vector<std::uint32_t> ring;
+        for (Corner c = first; ring.empty() || c != first; c = apart.next(c)) ring.push_back(apart.vertex(c).index);
+        builder.add_face(ring);
+    };
+    const Corner tether = apart.corner(Edge(apart.edge_count() - 1), 0);
+    add(tether);
+    for (const Face f : apart.faces())
+        if (f != apart.face(tether)) add(apart.corner(f));
+    Scene scene = scene_of(builder.build());
+    ASSERT_EQ(scene.mesh.face_limit(), 64u);
+
+    scene.selection.edit().faces = {Face(0), Face(63)};
+    run(scene, "topology.delete_edge", {{"edges", "all"}});
+    EXPECT_SOUND(scene.mesh);
+    EXPECT_EQ(scene.mesh.edge_count(), 0u);
+    for (const Face f : scene.selection->faces) EXPECT_LT(f.index, 64u);
 }
 
 TEST(CreateVertex, AddsAPointSphereAndDeleteVertexTakesItAway)
