@@ -1,5 +1,6 @@
 #include "app/command.h"
 
+#include "app/reference.h"
 #include "dlfl/errors.h"
 #include "ops/text.h"
 
@@ -158,7 +159,7 @@ private:
     {
         for (std::size_t i = 0; i < op_.parameters.size(); ++i) {
             const Parameter& p = op_.parameters[i];
-            if (p.required && !call_.given[i]) throw CommandError(fmt::format("{}= is missing; expected {}: {}", p.name, p.type_text(), p.help));
+            if (p.required && !call_.given[i]) throw CommandError(fmt::format("{}= is missing; expected {}: {}", p.name, takes_text(p), p.help));
         }
     }
 

@@ -6,6 +6,9 @@
 #include <csignal>
 #include <variant>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace {
 
 druse::Progress progress;
@@ -18,7 +21,15 @@ void listen_for_interrupts()
     struct sigaction action {};
     action.sa_handler = stop;
     action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+    std::signal(SIGPIPE, SIG_IGN); // a reader that goes away is an error of writing, and temporary files are taken away
+}
+
+/// Puts something unwritable where a standard stream is closed: else a file of ours would get its number, and what is said its bytes.
+void fill_closed_streams()
+{
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
+        if (fcntl(stream, F_GETFD) < 0) open("/dev/null", O_RDONLY); // takes the lowest number that is free: this one
 }
 
 struct Perform {
@@ -57,6 +68,7 @@ struct Perform {
 
 int main(int argc, char** argv)
 {
+    fill_closed_streams();
     try {
         return std::visit(Perform(), druse::parse_arguments(argc, argv));
     } catch (...) {

@@ -217,7 +217,11 @@ ByteSink& OutputSet::open(const fs::path& target)
 void OutputSet::commit()
 {
     for (auto& file : files_) file->finish();
-    for (auto& file : files_) file->put_in_place();
+    // A pipe can fail half-way; a rename hardly ever does, once the file stands ready beside its target.
+    for (auto& file : files_)
+        if (file->is_stream()) file->put_in_place();
+    for (auto& file : files_)
+        if (!file->is_stream()) file->put_in_place();
     files_.clear();
 }
 

@@ -36,8 +36,8 @@ public:
     /// A file for the caller to fill, until commit().
     ByteSink& open(const std::filesystem::path& target);
 
-    /// Puts everything in place, in the order written. Throws InputError, before the first target is touched if it can be known
-    /// by then.
+    /// Puts everything in place, streams first, each kind in the order written. Throws InputError, before the first file is touched
+    /// if it can be known by then.
     void commit();
 
     /// What writers have to say, in order: `groups are not saved in STL`.

@@ -192,6 +192,25 @@ TEST_F(Apply, SaysWhenStandardOutputTakesNoMore)
     EXPECT_EQ(ended.err, "druse: standard output: cannot be written: No space left on device\n");
 }
 
+TEST_F(Apply, ChangesNoFileWhenStandardOutputTakesNoMore)
+{
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+    const std::string command = std::string(DRUSE_PROGRAM) + " apply -c make.cube -o a.obj -o - -o b.obj --format obj ";
+    for (const auto& [where, reason] : {std::pair("> /dev/full", "No space left on device"), std::pair(">&-", "Bad file descriptor")}) {
+        const Ended ended = run_program("sh", {"-c", command + where}, folder_.path().string());
+        EXPECT_EQ(ended.status, 2) << where;
+        EXPECT_EQ(ended.err, std::string("druse: standard output: cannot be written: ") + reason + "\n");
+        EXPECT_EQ(folder_.listing(), "") << where;
+    }
+}
+
+TEST_F(Apply, LeavesNothingWhenItsReaderGoesAway)
+{
+    const std::string pipe = std::string(DRUSE_PROGRAM) + " apply -c 'make.grid nx=500 ny=500' -o a.obj -o - --format obj 2> errors | head -c 10 > begin";
+    run_program("sh", {"-c", pipe}, folder_.path().string());
+    EXPECT_EQ(folder_.listing(), "begin errors");
+}
+
 TEST_F(Apply, PrintsNoControlCharactersInErrors)
 {
     const Ended ended = apply({"no\nsuch\x1b[31m.obj"});
