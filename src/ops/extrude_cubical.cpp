@@ -24,6 +24,10 @@ void Cubical::place(const BaseFrame& base, Point* t, Vector* slide) const
 Operator extrude_cubical_operator()
 {
     return define_extrusion<Cubical>("extrude.cubical", "Raise a prism with leaning walls on each face")
+        .preset("regular", "angle=90 heights=1 iterations=1 flat=false")
+        .preset("fig26_menger", "angle=90 heights=-1 groups=keep")
+        .preset("fig26_cubes", "angle=90 heights=1 groups=keep")
+        .preset("fig28_spine", "angle=85 heights=3")
         .example("extrude.cubical faces=all angle=80 heights=0.5 iterations=2")
         .cites("Landreneau 2005, III.2.2");
 }

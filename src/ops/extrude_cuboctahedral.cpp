@@ -30,6 +30,11 @@ void Cuboctahedral::place(const BaseFrame& base, Point* tiers, Vector* slide) co
 Operator extrude_cuboctahedral_operator()
 {
     return define_extrusion<Cuboctahedral>("extrude.cuboctahedral", "Raise triangles and quads on each face, as in the cuboctahedron")
+        .preset("regular", "angle=125.264389682754654 heights=0.866025403784439,1.414213562373095 iterations=1 flat=false")
+        .preset("fig24_spire", "angle=85 heights=0.866025403784439,1.414213562373095 iterations=3")
+        .preset("fig24_column", "angle=105 heights=0.866025403784439,1.414213562373095 iterations=3")
+        .preset("fig24_vase", "angle=115 heights=0.866025403784439,1.414213562373095 iterations=3")
+        .preset("fig24_bowl", "angle=125.264389682754654 heights=0.866025403784439,1.414213562373095 iterations=3")
         .example("extrude.cuboctahedral faces=sides:4 heights=0.9,1.3")
         .cites("Landreneau 2005, III.3.1");
 }

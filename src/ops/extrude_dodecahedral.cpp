@@ -44,6 +44,9 @@ void Dodecahedral::place(const BaseFrame& base, Point* tiers, Vector* slide) con
 Operator extrude_dodecahedral_operator()
 {
     return define_extrusion<Dodecahedral>("extrude.dodecahedral", "Raise two rows of pentagons on each face")
+        .preset("regular", "angle=116.565051177077989 heights=1,1.538841768587627,1 iterations=1 flat=false")
+        .preset("fig27_cluster", "angle=90 heights=0.5,0.9,0.5")
+        .preset("fig28_bud", "angle=108 heights=0.8,1.3,0.8")
         .example("extrude.dodecahedral faces=sides:5 angle=110 heights=1,1.6,0.8 iterations=3 flat=true")
         .cites("Landreneau 2005, III.2.4");
 }

@@ -45,6 +45,9 @@ void Icosahedral::place(const BaseFrame& base, Point* tiers, Vector* slide) cons
 Operator extrude_icosahedral_operator()
 {
     return define_extrusion<Icosahedral>("extrude.icosahedral", "Raise six rows of triangles on each face")
+        .preset("regular", "angle=138.189685104221401 heights=0.866025403784439,1,1 iterations=1 flat=false")
+        .preset("fig27_facets", "angle=125 heights=0.6,0.8,0.8")
+        .preset("fig28_crown", "angle=112 heights=0.5,0.9,0.9 iterations=2")
         .example("extrude.icosahedral faces=sides:3 iterations=2")
         .cites("Landreneau 2005, III.2.5");
 }

@@ -24,6 +24,8 @@ void Octahedral::place(const BaseFrame& base, Point* t, Vector* slide) const
 Operator extrude_octahedral_operator()
 {
     return define_extrusion<Octahedral>("extrude.octahedral", "Raise an antiprism on each face")
+        .preset("regular", "angle=109.471220634490691 heights=0.866025403784439 iterations=1 flat=false")
+        .preset("fig28_arm", "angle=100 heights=0.8 iterations=3")
         .example("extrude.octahedral faces=sides:3 iterations=3")
         .cites("Landreneau 2005, III.2.3");
 }

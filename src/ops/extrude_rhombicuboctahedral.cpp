@@ -61,6 +61,15 @@ Operator extrude_rhombicuboctahedral_operator()
 {
     return define_extrusion<Rhombicuboctahedral>("extrude.rhombicuboctahedral", "Raise rings of quads with triangles at the corners on each face")
         .alias("extrude.small_rhombicuboctahedral")
+        .preset("regular", "angle=135 heights=1,1,1 iterations=1 flat=false")
+        .preset("fig24_pagoda", "angle=125 heights=1,1,1 iterations=3")
+        .preset("fig24_bulb", "angle=130 heights=1,1,1 iterations=3")
+        .preset("fig24_beads", "angle=135 heights=1,1,1 iterations=3")
+        .preset("fig24_bowl", "angle=138 heights=1,1,1 iterations=3")
+        .preset("fig25_terraces", "angle=135 heights=0.2,0.6,0.3 iterations=4")
+        .preset("fig25_skyscraper", "angle=135 heights=0.25,3,0.5 iterations=4")
+        .preset("fig25_lanterns", "angle=135 heights=1,0.2,1 iterations=4")
+        .preset("fig25_overhang", "angle=135 heights=0.6,0.2,0.35 iterations=4")
         .example("extrude.rhombicuboctahedral faces=all heights=0.5,0.7,0.5")
         .cites("Landreneau 2005, III.3.2");
 }

@@ -404,11 +404,45 @@ struct ParameterType<SolidBase> {
     static std::string text(const SolidBase& x, const Domain&) { return x.sides > 0 ? std::to_string(x.sides) : fmt::format("face:{}", x.face); }
 };
 
+namespace {
+
+/// Every kind of face of the Platonic and Archimedean solids that turns, by the solid and the number of its sides.
+void add_regular_presets(Definition<SolidExtrusion>& definition)
+{
+    const std::vector<std::pair<std::string, std::vector<int>>> solids{
+        {"tetrahedron", {3}},
+        {"cube", {4}},
+        {"octahedron", {3}},
+        {"dodecahedron", {5}},
+        {"icosahedron", {3}},
+        {"truncated_tetrahedron", {3, 6}},
+        {"cuboctahedron", {3, 4}},
+        {"truncated_cube", {3, 8}},
+        {"truncated_octahedron", {4, 6}},
+        {"rhombicuboctahedron", {3, 4}},
+        {"truncated_cuboctahedron", {4, 6, 8}},
+        {"snub_cube", {3, 4}},
+        {"icosidodecahedron", {3, 5}},
+        {"truncated_dodecahedron", {3, 10}},
+        {"truncated_icosahedron", {5, 6}},
+        {"rhombicosidodecahedron", {3, 4, 5}},
+        {"truncated_icosidodecahedron", {4, 6, 10}},
+        {"snub_dodecahedron", {3, 5}},
+    };
+    for (const auto& [solid, bases] : solids)
+        for (const int sides : bases)
+            definition.preset(bases.size() == 1 ? solid : fmt::format("{}_{}", solid, sides), fmt::format("solid={} base={} heights=1 iterations=1", solid, sides));
+    // Its squares are of two kinds; those between two triangles turn half round only.
+    definition.preset("rhombicuboctahedron_4_side", "solid=rhombicuboctahedron base=face:1 heights=1 iterations=1");
+}
+
+} // namespace
+
 Operator extrude_solid_operator()
 {
     using P = SolidExtrusion;
-    return define<P>("extrude.solid", "Raise any solid, re-tiled around each face")
-        .param(&P::solid, "solid", "a built-in solid, or a closed mesh file (a text with a dot or a slash)")
+    auto definition = define<P>("extrude.solid", "Raise any solid, re-tiled around each face");
+    definition.param(&P::solid, "solid", "a built-in solid, or a closed mesh file (a text with a dot or a slash)")
         .required()
         .param(&P::base, "base", "the face it stands on: a number of sides, or face:ID of the solid; unset: the one with the largest turn")
         .param(&P::turns, "turns", Unit::count, {1, 1'000'000}, "into how many equal wedges the solid is cut; unset: as many as it has; 1: not re-tiled")
@@ -425,6 +459,8 @@ Operator extrude_solid_operator()
         .example("extrude.solid solid=truncated_cube faces=all angle=80")
         .cites("Landreneau 2005, III and VI")
         .run(&extrude_solid);
+    add_regular_presets(definition);
+    return definition;
 }
 
 } // namespace druse

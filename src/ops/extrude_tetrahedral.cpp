@@ -21,6 +21,9 @@ void Tetrahedral::place(const BaseFrame& base, Point* tiers, Vector*) const
 Operator extrude_tetrahedral_operator()
 {
     return define_extrusion<Tetrahedral>("extrude.tetrahedral", "Raise a pyramid on each face")
+        .preset("regular", "angle=70.528779365509308 heights=0.866025403784439")
+        .preset("fig26_sierpinski", "angle=70.528779365509308 heights=-0.42 groups=keep")
+        .preset("fig28_spikes", "angle=78 heights=1.8")
         .example("extrude.tetrahedral faces=0 heights=1.2")
         .cites("Landreneau 2005, III.2.1");
 }

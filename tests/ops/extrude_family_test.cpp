@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <sstream>
+#include <tuple>
 
 namespace druse {
 namespace {
@@ -175,7 +177,6 @@ TEST(Families, RiseFromFacesWithoutATurnToo)
 
 TEST(Mirror, TurnsTheSnubSolidsIntoTheirTwins)
 {
-    // The volume of the tetrahedron between a vertex, its lowest triangle's … is of the hand: compare the twist of the first row's tips.
     for (const std::string name : {"snub_cube", "snub_dodecahedron"}) {
         const Mesh left = raised(dihedron(name == "snub_cube" ? 4 : 5), name), right = raised(dihedron(name == "snub_cube" ? 4 : 5), name, {{"mirror", "true"}});
         expect_solid(right, *std::ranges::find(archimedean, name, &Known::solid));
@@ -192,6 +193,94 @@ TEST(Mirror, TurnsTheSnubSolidsIntoTheirTwins)
         EXPECT_EQ(in_twin, int(left.vertex_count())) << name;
         EXPECT_LT(in_itself, int(left.vertex_count())) << name;
     }
+}
+
+// --- presets --------------------------------------------------------------------------------------------------------------------
+
+const Operator& operator_called(const std::string& name)
+{
+    static const Registry registry = [] {
+        Registry r;
+        register_extrude(r);
+        return r;
+    }();
+    return registry.get(name);
+}
+
+Arguments arguments_of(const Preset& preset)
+{
+    Arguments list;
+    for (std::istringstream words(preset.arguments); !words.eof();) {
+        std::string word;
+        words >> word;
+        const auto equals = word.find('=');
+        list.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+    }
+    return list;
+}
+
+TEST(RegularPresets, OfTheSevenAreTheirSolids)
+{
+    for (const auto& [name, solid, sides] : std::vector<std::tuple<std::string, std::string, int>>{{"tetrahedral", "tetrahedron", 3},
+                                                                                                   {"cubical", "cube", 4},
+                                                                                                   {"octahedral", "octahedron", 3},
+                                                                                                   {"dodecahedral", "dodecahedron", 5},
+                                                                                                   {"icosahedral", "icosahedron", 3},
+                                                                                                   {"cuboctahedral", "cuboctahedron", 4},
+                                                                                                   {"rhombicuboctahedral", "rhombicuboctahedron", 4}}) {
+        SCOPED_TRACE(name);
+        const Operator& op = operator_called("extrude." + name);
+        ASSERT_FALSE(op.presets.empty());
+        EXPECT_EQ(op.presets[0].name, "regular");
+        Scene scene;
+        scene.mesh = dihedron(sides);
+        Arguments arguments = arguments_of(op.presets[0]);
+        arguments.emplace_back("faces", "0");
+        run_extrusion(scene, op.name, arguments);
+        expect_solid(scene.mesh, *std::ranges::find(archimedean, solid, &Known::solid));
+    }
+}
+
+TEST(RegularPresets, OfAnySolidAreEveryKindOfFaceThatTurns)
+{
+    const Operator& op = operator_called("extrude.solid");
+    EXPECT_EQ(op.presets.size(), 35u);
+    std::set<std::tuple<std::string, int, int>> patterns; // solid, sides, turns
+    for (const Preset& preset : op.presets) {
+        SCOPED_TRACE(preset.name);
+        const Arguments arguments = arguments_of(preset);
+        const std::string solid = arguments[0].second, base = arguments[1].second;
+        PatternChoice choice;
+        if (base.starts_with("face:")) choice.base = Face(std::uint32_t(std::stoi(base.substr(5))));
+        else choice.sides = std::stoi(base);
+        const SolidPattern pattern = read_pattern(make_solid(solid, 1.0), choice);
+        EXPECT_TRUE(preset.name.starts_with(solid));
+        EXPECT_TRUE(patterns.emplace(solid, pattern.sides, pattern.turns).second) << "twice";
+        Scene scene;
+        scene.mesh = dihedron(pattern.sides);
+        Arguments all = arguments;
+        all.emplace_back("faces", "0");
+        run_extrusion(scene, op.name, all);
+        expect_solid(scene.mesh, *std::ranges::find(archimedean, solid, &Known::solid));
+    }
+}
+
+TEST(FigurePresets, AreSoundOnEverySideOfABox)
+{
+    std::set<std::string> figures;
+    for (const char* name : {"tetrahedral", "cubical", "octahedral", "dodecahedral", "icosahedral", "cuboctahedral", "rhombicuboctahedral"})
+        for (const Preset& preset : operator_called(std::string("extrude.") + name).presets) {
+            if (!preset.name.starts_with("fig")) continue;
+            figures.insert(preset.name.substr(0, 5));
+            Scene scene;
+            scene.mesh = cube();
+            Arguments arguments = arguments_of(preset);
+            arguments.emplace_back("faces", "all");
+            run_extrusion(scene, std::string("extrude.") + name, arguments);
+            EXPECT_SOUND(scene.mesh) << preset.name;
+            EXPECT_EQ(genus(scene.mesh), 0) << preset.name;
+        }
+    EXPECT_EQ(figures, (std::set<std::string>{"fig24", "fig25", "fig26", "fig27", "fig28"}));
 }
 
 } // namespace
