@@ -185,6 +185,7 @@ Mesh limit_surface(const Mesh& mesh, const LimitSurface& surface, Progress& prog
 {
     refuse_too_large(mesh.edge_count(), 4, surface.level);
     OldMesh old(mesh, 2);
+    if (old.vertices() == 0) return mesh; // OpenSubdiv refines no such thing
     const auto refiner = refiner_of(old, surface);
 
     const Far::PrimvarRefinerReal<double> interpolation(*refiner);

@@ -91,6 +91,8 @@ TEST(RemeshLimit, KeepsGroupsAndNumbersAsTheSchemesDo)
     EXPECT_EQ(groups(made_of(old, "remesh.subdivide_limit", {{"groups", "none"}})), std::vector<int>(8 * old.edge_count(), 0));
 }
 
+TEST(RemeshLimit, OfNothingIsNothing) { EXPECT_EQ(counts(made_of(Mesh(), "remesh.subdivide_limit")), Counts()); }
+
 TEST(RemeshLimit, SaysWhatItCannotUse)
 {
     EXPECT_EQ(complaint(scene_of(cube()), "remesh.subdivide_limit", {{"scheme", "loop"}}), "face 0 has 4 sides; scheme=loop wants triangles");
