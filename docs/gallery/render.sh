@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Draws every picture of this folder anew: `docs/gallery/render.sh [DRUSE]`, where DRUSE is the program (build/druse if it is not given).
+set -euo pipefail
+druse=$(realpath "${1:-$(dirname "${BASH_SOURCE[0]}")/../../build/druse}")
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+# draw FIGURE [OPTION …]: how the model that FIGURE.druse makes is looked at.
+draw() { "$druse" render "$1.druse" -o "$1.png" "${@:2}"; }
+
+draw fig_03_any_polygon --size 640x400 --edges --view 20,30
+for figure in fig_05_tetrahedral fig_06_cubical fig_07_octahedral fig_08_dodecahedral fig_11_icosahedral fig_14_cuboctahedral \
+    fig_15_rhombicuboctahedral; do
+    draw "$figure" --size 720x320 --edges --view 12,22 --parallel
+done
+draw fig_13_paired_vertices --size 720x320 --edges --view 12,22 --parallel
+draw fig_16_tier_pairs --size 640x480 --edges --groups --view 25,25
+draw fig_17_four_sides --size 640x400 --edges --view 30,35
+draw fig_19_shared_vertex --size 640x480 --edges --groups --view 180,58.28 --parallel
+draw fig_24_cuboctahedral --size 720x400 --edges --view 20,14 --parallel
+draw fig_24_rhombicuboctahedral --size 720x400 --edges --view 20,14 --parallel
+draw fig_25_towers --size 720x400 --edges --view 20,14 --parallel
+draw fig_26_menger --size 560x520 --view 35,25
+draw fig_26_sierpinski --size 560x520 --view 120,-30
+draw fig_26_cubes --size 560x520 --view 35,25
+draw fig_27_cluster --size 560x520 --edges
+draw fig_27_facets --size 560x520 --edges
+draw fig_28_crown --size 520x480 --edges
+draw fig_28_buds --size 560x520 --edges
+draw fig_28_arms --size 560x520 --edges
+draw fig_28_spikes --size 560x520 --edges

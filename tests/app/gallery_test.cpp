@@ -1,0 +1,103 @@
+// The scripts in docs/gallery: each runs, makes a sound closed model, and has its picture and its place on the page.
+#include "app/document.h"
+#include "app/registry.h"
+#include "app/script.h"
+#include "dlfl/check.h"
+#include "support/mesh_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace druse {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace test;
+
+std::string text_of(const fs::path& file)
+{
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+std::vector<fs::path> gallery_scripts()
+{
+    std::vector<fs::path> scripts;
+    for (const auto& entry : fs::directory_iterator(DRUSE_GALLERY))
+        if (is_script(entry.path())) scripts.push_back(entry.path());
+    std::ranges::sort(scripts);
+    return scripts;
+}
+
+class GalleryScript : public testing::TestWithParam<fs::path> {};
+INSTANTIATE_TEST_SUITE_P(Docs, GalleryScript, testing::ValuesIn(gallery_scripts()), [](const auto& script) { return script.param.stem().string(); });
+
+TEST_P(GalleryScript, MakesASoundModelThatThePageShows)
+{
+    const fs::path& script = GetParam();
+    Document document(all_operators());
+    Progress progress;
+    document.open(script, progress);
+    const Mesh& mesh = document.scene().mesh;
+    EXPECT_SOUND(mesh);
+    EXPECT_EQ(mesh.boundary_count(), 0u);
+    EXPECT_EQ(genus(mesh), 0);
+    EXPECT_GT(volume(mesh), 0);
+
+    const std::string name = script.stem().string();
+    fs::path picture = script;
+    picture.replace_extension(".png");
+    ASSERT_TRUE(fs::exists(picture));
+    EXPECT_LE(fs::file_size(picture), 100'000u);
+    const std::string page = text_of(fs::path(DRUSE_GALLERY) / "README.md");
+    EXPECT_NE(page.find("(" + name + ".druse)"), std::string::npos);
+    EXPECT_NE(page.find("![](" + name + ".png)"), std::string::npos);
+    EXPECT_NE(text_of(fs::path(DRUSE_GALLERY) / "render.sh").find(name), std::string::npos);
+
+    // "None of the models in these images required more than ten operations" (Landreneau 2005, V.1). The towers stand four in a picture.
+    const std::string text = text_of(script);
+    int commands = 0;
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::string_view line = next_line(rest);
+        if (!line.empty() && line.front() != '#') ++commands;
+    }
+    EXPECT_LE(commands, name.starts_with("fig_24") || name.starts_with("fig_25") ? 12 : 10);
+}
+
+TEST(Gallery, FractalsHaveAsManyFacesAsTheirStepsSay)
+{
+    const auto faces = [](const char* name) {
+        Document document(all_operators());
+        Progress progress;
+        document.open(fs::path(DRUSE_GALLERY) / name, progress);
+        return document.scene().mesh.face_count();
+    };
+    EXPECT_EQ(faces("fig_26_menger.druse"), 6u * 13 * 13 * 13); // a square becomes nine, and four walls rise or sink
+    EXPECT_EQ(faces("fig_26_cubes.druse"), 6u * 13 * 13 * 13);
+    EXPECT_EQ(faces("fig_26_sierpinski.druse"), 4u * 6 * 6 * 6 * 6); // a triangle becomes three and a pyramid of three
+}
+
+TEST(Gallery, SolidsOfTheFiguresAreThoseOfTheirNames)
+{
+    // A flat polygon, a block and the solid; the solid and the polygon together.
+    const std::map<std::string, std::uint32_t> vertices{{"fig_05_tetrahedral", 4},   {"fig_06_cubical", 8},        {"fig_07_octahedral", 6},
+                                                        {"fig_08_dodecahedral", 20}, {"fig_11_icosahedral", 12}, {"fig_14_cuboctahedral", 12},
+                                                        {"fig_15_rhombicuboctahedral", 24}};
+    for (const auto& [name, count] : vertices) {
+        Document document(all_operators());
+        Progress progress;
+        document.open(fs::path(DRUSE_GALLERY) / (name + ".druse"), progress);
+        const Mesh& mesh = document.scene().mesh;
+        const int sides = mesh.valence(Face(1)); // what the flat polygon shows below
+        EXPECT_EQ(mesh.vertex_count(), 2 * count + std::uint32_t(sides)) << name;
+    }
+}
+
+} // namespace
+} // namespace druse
