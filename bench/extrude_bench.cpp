@@ -3,6 +3,7 @@
 // index and position arrays in fresh memory, the least that any program must do. Times are processor times.
 #include "dlfl/mesh_builder.h"
 #include "ops/extrude.h"
+#include "ops/registry.h"
 #include "ops/tiered_kernels.h"
 
 #include <benchmark/benchmark.h>
@@ -85,6 +86,28 @@ void extrude_and_record(benchmark::State& state)
     state.counters["undo_MB"] = double(bytes) / 1e6;
 }
 
+/// The operator extrude.solid with these arguments, as a function of a scene.
+void extrude_solid(benchmark::State& state, const char* solid, const char* planar)
+{
+    Registry registry;
+    register_extrude(registry);
+    const Operator& op = registry.get("extrude.solid");
+    const auto parameters = op.make();
+    for (const auto& [key, value] : {std::pair("solid", solid), {"planar", planar}, {"faces", "all"}}) op.find(key)->set(parameters.get(), value);
+    const Mesh input = torus(state.range(0));
+    Progress progress;
+    Context context{.progress = progress};
+    Scene scene;
+    for (auto _ : state) {
+        state.PauseTiming();
+        scene.mesh = Mesh();
+        scene.mesh = Mesh(input);
+        state.ResumeTiming();
+        op.run(scene, parameters.get(), context);
+    }
+    report(state, input.face_count(), scene.mesh);
+}
+
 void floor(benchmark::State& state)
 {
     const Mesh input = torus(state.range(0));
@@ -135,6 +158,11 @@ BENCHMARK(extrude<Dodecahedral>) SIZES;
 BENCHMARK(extrude<Icosahedral>) SIZES;
 BENCHMARK(extrude<Cuboctahedral>) SIZES;
 BENCHMARK(extrude<Rhombicuboctahedral>) SIZES;
+BENCHMARK_CAPTURE(extrude_solid, cube, "cube", "off") SIZES;
+BENCHMARK_CAPTURE(extrude_solid, cube_flat, "cube", "free")->Unit(benchmark::kMillisecond)->Arg(10'000)->Arg(100'000);
+BENCHMARK_CAPTURE(extrude_solid, rhombicuboctahedron, "rhombicuboctahedron", "off") SIZES;
+BENCHMARK_CAPTURE(extrude_solid, rhombicuboctahedron_flat, "rhombicuboctahedron", "free")->Unit(benchmark::kMillisecond)->Arg(1'000)->Arg(10'000);
+BENCHMARK_CAPTURE(extrude_solid, truncated_cube, "truncated_cube", "off") SIZES;
 BENCHMARK(extrude_and_record<Cubical>) SIZES;
 BENCHMARK(extrude_and_record<Dodecahedral>) SIZES;
 
