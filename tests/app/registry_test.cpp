@@ -208,7 +208,7 @@ private:
     {
         if (below(20) == 0) return std::to_string(below(1000000));
         const double low = std::isinf(range.min) ? 0.0 : range.min;
-        return number_text(std::min(std::floor(low + double(below(4))), range.max)); // small, so that iterations do not explode
+        return number_text(std::min(std::floor(low + double(below(4))), range.max));
     }
 
     std::string id() { return std::to_string(below(12)); }
@@ -240,7 +240,7 @@ private:
         if (!words.empty() && (p.type == Type::word || below(2) == 0)) return words[below(words.size())];
         switch (p.type) {
         case Type::number: return number_text(number(p.domain.range));
-        case Type::integer: return integer(p.domain.range);
+        case Type::integer: return p.name == "iterations" || p.name == "level" ? std::to_string(1 + below(2)) : integer(p.domain.range); // some grow by 9 each
         case Type::toggle: return below(2) == 0 ? "true" : "false";
         case Type::numbers: return list(p, [&] { return number_text(number(p.domain.range)); });
         case Type::integers: return list(p, [&] { return integer(p.domain.range); });
