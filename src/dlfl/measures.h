@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dlfl/mesh.h"
+#include "geom/progress.h"
 
 #include <map>
 #include <span>
@@ -57,5 +58,8 @@ struct MeshFacts {
     std::map<int, std::uint32_t> groups;          // faces in each group, group 0 included if it has any
 };
 MeshFacts facts(const Mesh& mesh);
+/// The same, for whoever may lose interest. It hears of a cancellation within a few milliseconds, whatever the mesh's size.
+/// @throws Cancelled
+MeshFacts facts(const Mesh& mesh, Progress& progress);
 
 } // namespace druse

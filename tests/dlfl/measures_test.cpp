@@ -206,6 +206,15 @@ TEST(Facts, OfNothingAreZero)
     EXPECT_EQ(r.components, 0u);
 }
 
+TEST(Facts, CanBeCancelled)
+{
+    const Mesh mesh = cube();
+    Progress progress;
+    EXPECT_EQ(facts(mesh, progress).genus, 0);
+    progress.cancel();
+    EXPECT_THROW(facts(mesh, progress), Cancelled);
+}
+
 TEST(Facts, CountPointSpheresAndOpenEdges)
 {
     const MeshFacts r = facts(mixed());
