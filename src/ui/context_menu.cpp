@@ -1,15 +1,14 @@
 #include "ui/context_menu.h"
 
 #include "ui/main_window.h"
+#include "ui/popup.h"
 
 #include "render/picking.h"
 
 #include <FL/Fl.H>
-#include <FL/Fl_Menu_Item.H>
 
 #include <fmt/format.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,18 +16,12 @@ namespace druse::ui {
 
 namespace {
 
-struct Entry {
-    std::string label;
-    std::function<void()> run;
-    bool divider = false;
-};
-
-std::vector<Entry> entries_at(MainWindow& window, const Pointer& p)
+std::vector<PopupEntry> entries_at(MainWindow& window, const Pointer& p)
 {
     Session& session = window.session();
     View& view = window.view();
     const DrawLists& lists = session.display().lists;
-    std::vector<Entry> list;
+    std::vector<PopupEntry> list;
     if (const auto hit = pick_face(lists, view.camera().ray(p.x, p.y))) {
         const std::uint32_t face = hit->face.index;
         const int group = lists.group(hit->face);
@@ -51,12 +44,7 @@ std::vector<Entry> entries_at(MainWindow& window, const Pointer& p)
 
 void show_context_menu(MainWindow& window, const Pointer& pointer)
 {
-    const std::vector<Entry> entries = entries_at(window, pointer);
-    std::vector<Fl_Menu_Item> items;
-    for (const Entry& entry : entries) items.push_back({entry.label.c_str(), 0, nullptr, nullptr, entry.divider ? FL_MENU_DIVIDER : 0, 0, 0, 0, 0});
-    items.push_back({nullptr, 0, nullptr, nullptr, 0, 0, 0, 0, 0});
-    const Fl_Menu_Item* picked = items.data()->popup(Fl::event_x(), Fl::event_y());
-    if (picked) entries[std::size_t(picked - items.data())].run();
+    show_popup(entries_at(window, pointer), Fl::event_x(), Fl::event_y());
 }
 
 } // namespace druse::ui

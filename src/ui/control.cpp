@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace druse::ui {
 
@@ -81,6 +82,7 @@ Control::Kind kind_of(const Parameter& p)
     case Type::vertices: return Control::Kind::selector;
     case Type::colour: return words ? Control::Kind::selector : Control::Kind::colour;
     case Type::file: return Control::Kind::file;
+    case Type::name_or_file: return Control::Kind::solid;
     default: return words ? Control::Kind::selector : Control::Kind::field;
     }
 }
@@ -104,15 +106,23 @@ double number_of(std::string_view text)
 
 double Control::snap(double x) const
 {
-    double value = std::clamp(std::round(x / step) * step, low, high);
     // A sum of decimal steps is seldom the decimal number one means.
     const double places = std::pow(10.0, std::ceil(-std::log10(step) - 1e-9));
-    if (places >= 1) value = std::round(value * places) / places;
+    const auto decimal = [places](double v) { return places >= 1 ? std::round(v * places) / places : v; };
+    double value = decimal(std::clamp(std::round(x / step) * step, low, high));
+    if (value < low) value = decimal(value + step); // an end that is no such number, as 1/3
+    if (value > high) value = decimal(value - step);
     if (range.without_zero && value == 0) value = x < 0 ? -step : step;
     return value;
 }
 
-std::vector<Control> controls_of(const Operator& op)
+bool Control::is_like(const Control& other) const
+{
+    const auto key = [](const Control& c) { return std::tie(c.kind, c.parameter, c.place, c.label, c.initial, c.slider, c.low, c.high, c.step); };
+    return key(*this) == key(other);
+}
+
+std::vector<Control> controls_of(const Operator& op, const Implied& implied)
 {
     std::vector<Control> result;
     for (const Parameter& p : op.parameters) {
@@ -127,19 +137,27 @@ std::vector<Control> controls_of(const Operator& op)
         c.range = p.domain.range;
         c.integer = p.type == Type::integer || p.type == Type::integers;
 
-        const bool list = (p.type == Type::numbers || p.type == Type::integers) && p.fixed_length > 0;
-        const bool full = int(split(p.default_text, ',').size()) == p.fixed_length;
+        const auto in_full = implied.find(p.name);
+        const std::string& whole = in_full == implied.end() ? p.default_text : in_full->second;
+        const int length = p.fixed_length > 0 ? p.fixed_length : in_full == implied.end() ? 0 : int(split(whole, ',').size());
+        const bool list = (p.type == Type::numbers || p.type == Type::integers) && length > 0;
+        const bool full = int(split(whole, ',').size()) == length;
         if (list && full && p.domain.words.empty()) {
             c.kind = Control::Kind::number;
-            for (int i = 0; i < p.fixed_length; ++i) {
+            const bool one_for_all = int(split(p.default_text, ',').size()) == 1;
+            for (int i = 0; i < length; ++i) {
                 Control piece = c;
                 piece.place = i;
-                piece.initial = piece_of(p.default_text, i);
-                if (p.fixed_length > 1) piece.label = label_of_piece(p, i);
+                piece.initial = piece_of(p.default_text, one_for_all ? 0 : i);
+                if (length > 1) piece.label = label_of_piece(p, i);
                 set_slider(piece, p.domain.range, number_of(piece.initial));
                 result.push_back(std::move(piece));
             }
             continue;
+        }
+        if (p.type == Type::number && in_full != implied.end()) {
+            c.kind = Control::Kind::number;
+            set_slider(c, p.domain.range, number_of(whole));
         }
         if (c.kind == Control::Kind::number && !c.initial.empty()) set_slider(c, p.domain.range, number_of(c.initial));
         result.push_back(std::move(c));

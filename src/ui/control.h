@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/implied.h"
+
 #include "ops/operator.h"
 
 #include <string>
@@ -17,7 +19,8 @@ struct Control {
         field,    // text as a command writes it
         selector, // a field, with words to choose from
         colour,   // a field and a swatch
-        file      // a field and a button that asks for a file
+        file,     // a field and a button that asks for a file
+        solid     // a field and a button that shows all solids there are
     };
 
     Kind kind = Kind::field;
@@ -37,10 +40,13 @@ struct Control {
 
     /// The number that a slider gives at `x`: a multiple of the step, inside the slider and allowed.
     double snap(double x) const;
+
+    /// Does the same row serve both? Precondition: both are of one operator.
+    bool is_like(const Control& other) const;
 };
 
-/// The rows for an operator, in the order of its parameters.
-std::vector<Control> controls_of(const Operator& op);
+/// The rows for an operator, in the order of its parameters. Those that have an implied value slide as others do.
+std::vector<Control> controls_of(const Operator& op, const Implied& implied = {});
 
 /// The piece of a list at `place`, or all of `text` if that is negative; empty if the list is too short.
 std::string piece_of(std::string_view text, int place);

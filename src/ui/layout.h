@@ -48,6 +48,10 @@ struct Layout {
     int check() const { return px(14); }
     int scrollbar() const { return px(12); }
     int progress_width() const { return px(120); }
+    int small_picture() const { return px(20); } // of a solid, in a line of a list
+    int header_picture() const { return px(42); }
+    int picture() const { return px(64); }
+    int gallery_columns() const { return 9; }
     int palette_width() const { return px(520); }
     int palette_lines() const { return 12; }
 

@@ -37,7 +37,8 @@ bool is_text_field(const Fl_Widget* widget) { return dynamic_cast<const Fl_Input
 
 MainWindow::MainWindow(Session& session, Preferences& preferences, const Options& options, int w, int h)
     : Fl_Double_Window(w, h, "Druse"), session_(session), preferences_(preferences), options_(options), view_(session),
-      files_(session), tree_(session, 0, 0, 1, 1), parameters_(session, 0, 0, 1, 1), view_bar_(session, view_, 0, 0, 1, 1),
+      files_(session), pictures_([this](const Mesh& solid, int size) { return viewport_.picture_of(solid, size); }),
+      tree_(session, pictures_, 0, 0, 1, 1), parameters_(session, pictures_, 0, 0, 1, 1), view_bar_(session, view_, 0, 0, 1, 1),
       no_view_(0, 0, 1, 1), viewport_(session, view_, 0, 0, 10, 10), history_(session, 0, 0, 1, 1), groups_(session, 0, 0, 1, 1),
       facts_(session, 0, 0, 1, 1), history_section_("History", history_), groups_section_("Groups", groups_),
       facts_section_("Print check", facts_), tree_divider_(true), status_(session, 0, 0, 1, 1), show_progress_([this] {
@@ -88,6 +89,7 @@ MainWindow::MainWindow(Session& session, Preferences& preferences, const Options
     };
     view_.on_menu = [this](const Pointer& pointer) { show_context_menu(*this, pointer); };
     viewport_.on_drop = [this](const std::string& uris) { files_.drop(uris); };
+    pictures_.on_ready = [this] { tree_.redraw(), parameters_.redraw(); };
     menu_->on_operator = [this](const Operator& op) { choose(op); };
     parameters_.on_help = [this] { show_help(); };
 

@@ -85,6 +85,7 @@ private:
     Actions actions_;
 
     std::unique_ptr<Menu> menu_;
+    Pictures pictures_;
     OperatorTree tree_;
     ParameterPanel parameters_;
     ViewBar view_bar_;

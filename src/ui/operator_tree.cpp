@@ -37,7 +37,8 @@ std::string family_title(const std::string& family)
     return title;
 }
 
-OperatorTree::OperatorTree(Session& session, int x, int y, int w, int h) : Panel(x, y, w, h), session_(session), list_(*this)
+OperatorTree::OperatorTree(Session& session, Pictures& pictures, int x, int y, int w, int h)
+    : Panel(x, y, w, h), session_(session), pictures_(pictures), list_(*this)
 {
     end();
     box(FL_FLAT_BOX);
@@ -146,8 +147,12 @@ void OperatorTree::List::draw_row(int row, int x, int y, int w, int h)
         draw_text(family_title(r.family), x + l.gap() + l.px(16), y, w - l.px(24), h, theme().text);
     } else {
         fl_font(FL_HELVETICA, l.font());
-        const int left = x + l.gap() + l.px(16);
-        draw_text(r.op->title(), left, y, w - l.px(46), h, selected ? theme().on_accent : theme().text);
+        int left = x + l.gap() + l.px(16);
+        if (r.op->family() == "extrude") { // what it makes
+            if (Fl_RGB_Image* picture = tree_.pictures_.find(*r.op, {}, l.small_picture())) picture->draw(left, y + (h - picture->h()) / 2);
+            left += l.small_picture() + l.gap();
+        }
+        draw_text(r.op->title(), left, y, x + w - l.px(24) - left, h, selected ? theme().on_accent : theme().text);
         if (acts_on_click(*r.op)) { // a dot: it acts on what is clicked
             fl_color(selected ? theme().on_accent : theme().faint_text);
             const int size = l.px(5);

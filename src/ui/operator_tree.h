@@ -2,6 +2,7 @@
 
 #include "ui/list_view.h"
 #include "ui/panel.h"
+#include "ui/pictures.h"
 #include "ui/session.h"
 
 #include <FL/Fl_Input.H>
@@ -18,7 +19,7 @@ std::string family_title(const std::string& family);
 /// Every operator under its family, and a field that searches them by name and help.
 class OperatorTree : public Panel {
 public:
-    OperatorTree(Session& session, int x, int y, int w, int h);
+    OperatorTree(Session& session, Pictures& pictures, int x, int y, int w, int h);
 
     /// Shows which operator is chosen.
     void refresh();
@@ -54,6 +55,7 @@ private:
     void fill();
 
     Session& session_;
+    Pictures& pictures_;
     const Operator* shown_ = nullptr;
     std::vector<Row> rows_;
     std::set<std::string> open_;

@@ -1,18 +1,24 @@
 #include "ui/parameter_panel.h"
 
+#include "ui/dialogs.h"
 #include "ui/draw.h"
 #include "ui/layout.h"
+#include "ui/pattern.h"
+#include "ui/popup.h"
+#include "ui/solid_gallery.h"
 #include "ui/theme.h"
-
 #include "ui/tool.h"
 
 #include <FL/Fl.H>
 #include <FL/fl_draw.H>
 
+#include <algorithm>
+#include <utility>
+
 namespace druse::ui {
 
-ParameterPanel::ParameterPanel(Session& session, int x, int y, int w, int h)
-    : Panel(x, y, w, h), session_(session), live_(0, 0, 1, 1, "live"), apply_(0, 0, 1, 1, "Apply"),
+ParameterPanel::ParameterPanel(Session& session, Pictures& pictures, int x, int y, int w, int h)
+    : Panel(x, y, w, h), session_(session), pictures_(pictures), live_(0, 0, 1, 1, "live"), presets_(0, 0, 1, 1, "presets"), apply_(0, 0, 1, 1, "Apply"),
       reset_(0, 0, 1, 1, "Reset"), help_(0, 0, 1, 1, "?")
 {
     end();
@@ -27,6 +33,12 @@ ParameterPanel::ParameterPanel(Session& session, int x, int y, int w, int h)
     apply_.labelcolor(theme().on_accent);
     reset_.color(theme().raised);
     reset_.tooltip("Go back to the defaults");
+    presets_.box(FL_FLAT_BOX);
+    presets_.color(theme().header);
+    presets_.labelcolor(theme().faint_text);
+    presets_.labelsize(layout().small_font());
+    presets_.tooltip("Values that have a name: take some, or keep these");
+    presets_.callback([](Fl_Widget*, void* p) { static_cast<ParameterPanel*>(p)->choose_preset(); }, this);
     help_.color(theme().raised);
     help_.tooltip("What this operator does (F1)");
 
@@ -55,6 +67,7 @@ void ParameterPanel::arrange()
     apply_.resize(left + live, bottom, width, l.button_height());
     reset_.resize(apply_.x() + width + l.gap(), bottom, width, l.button_height());
     help_.resize(left + inner - help, bottom, help, l.button_height());
+    presets_.resize(x() + w() - l.margin() - l.px(56), y() + l.px(2), l.px(56), l.header_height() - l.px(4));
 }
 
 void ParameterPanel::draw()
@@ -66,11 +79,20 @@ void ParameterPanel::draw()
     fl_color(theme().header);
     fl_rectf(x(), y(), w(), l.header_height());
     fl_font(FL_HELVETICA_BOLD, l.font());
-    draw_text(shown_ ? shown_->title() : "No operator", left, y(), inner, l.header_height(), theme().text);
+    const int title = presets_.visible() ? presets_.x() - l.gap() - left : inner;
+    draw_text(shown_ ? shown_->title() : "No operator", left, y(), title, l.header_height(), theme().text);
+    draw_child(presets_);
     fl_font(FL_HELVETICA, l.small_font());
+    int room = inner;
+    if (shown_ && shown_->family() == "extrude") {
+        const Parameter* solid = solid_parameter(*shown_);
+        if (Fl_RGB_Image* picture = pictures_.find(*shown_, solid ? session_.arguments().text(solid->name) : std::string(), l.header_picture()))
+            picture->draw(x() + w() - l.gap() - picture->w(), y() + l.header_height() + l.px(1));
+        room -= l.header_picture();
+    }
     const std::string text = shown_ ? shown_->help : "Choose one in the list above.";
     fl_color(theme().faint_text);
-    fl_draw(text.c_str(), left, y() + l.header_height() + l.gap() / 2, inner, 2 * l.line_height() - l.gap(),
+    fl_draw(text.c_str(), left, y() + l.header_height() + l.gap() / 2, room, 2 * l.line_height() - l.gap(),
             static_cast<Fl_Align>(FL_ALIGN_LEFT | FL_ALIGN_TOP | FL_ALIGN_WRAP | FL_ALIGN_INSIDE | FL_ALIGN_CLIP), nullptr, 0);
     fl_pop_clip();
 }
@@ -78,9 +100,13 @@ void ParameterPanel::draw()
 void ParameterPanel::refresh()
 {
     const Operator* chosen = session_.chosen();
-    if (chosen != shown_ || (chosen && rows_.empty() && !chosen->parameters.empty())) {
+    std::vector<Control> controls = chosen ? controls_of(*chosen, session_.implied()) : std::vector<Control>();
+    const bool is_same = chosen == shown_;
+    if (!is_same || !std::ranges::equal(controls, controls_, [](const Control& a, const Control& b) { return a.is_like(b); })) {
+        if (!is_same) scroll_.scroll_to_top();
         shown_ = chosen;
-        make_rows();
+        controls_ = std::move(controls);
+        make_rows(is_same);
         redraw();
     }
     if (shown_) {
@@ -88,40 +114,45 @@ void ParameterPanel::refresh()
         apply_.tooltip(acts_on_click(*shown_) ? "Run it on what its fields say, the selection as a rule (Enter)" : "Run it (Enter)");
     }
     live_.value(session_.live() ? 1 : 0);
-    for (Fl_Widget* button : std::initializer_list<Fl_Widget*>{&live_, &apply_, &reset_, &help_}) shown_ ? button->show() : button->hide();
+    for (Fl_Widget* button : std::initializer_list<Fl_Widget*>{&live_, &presets_, &apply_, &reset_, &help_}) shown_ ? button->show() : button->hide();
 }
 
-void ParameterPanel::make_rows()
+/// Rows that can stay do so: one of them may be where the change comes from, and hold the keyboard.
+void ParameterPanel::make_rows(bool keep)
 {
-    for (const auto& row : rows_) scroll_.remove_row(*row);
-    rows_.clear();
-    scroll_.scroll_to_top();
-    if (shown_) {
-        Fl_Group::current(nullptr);
-        for (const Control& control : controls_of(*shown_)) {
-            rows_.push_back(make_row(control, scroll_.x(), scroll_.y(), scroll_.w()));
-            ParameterRow& row = *rows_.back();
-            row.on_set = [this, &row](const std::string& text) { set(row.control(), text); };
-            row.on_enter = [this](bool changed) {
-                const bool adjusted = changed && session_.is_bound() && session_.live();
-                if (!adjusted) session_.apply_chosen();
-            };
-            row.on_copy = [this] {
-                const std::string text = session_.arguments().command();
-                Fl::copy(text.c_str(), int(text.size()), 1);
-            };
-            scroll_.add_row(row);
+    auto old = std::exchange(rows_, {});
+    for (const auto& row : old) scroll_.remove_row(*row);
+    if (!keep) old.clear();
+    Fl_Group::current(nullptr);
+    for (const Control& control : controls_) {
+        const auto like = std::ranges::find_if(old, [&](const auto& row) { return row && row->control().is_like(control); });
+        if (like != old.end()) {
+            rows_.push_back(std::move(*like));
+            scroll_.add_row(*rows_.back());
+            continue;
         }
+        rows_.push_back(make_row(control, scroll_.x(), scroll_.y(), scroll_.w()));
+        ParameterRow& row = *rows_.back();
+        row.on_set = [this, &row](const std::string& text) { set(row.control(), text); };
+        row.on_enter = [this](bool changed) {
+            const bool adjusted = changed && session_.is_bound() && session_.live();
+            if (!adjusted) session_.apply_chosen();
+        };
+        row.on_copy = [this] {
+            const std::string text = session_.arguments().command();
+            Fl::copy(text.c_str(), int(text.size()), 1);
+        };
+        row.on_choose = [this](const std::string& current) { return choose_solid(pictures_, current); };
+        scroll_.add_row(row);
     }
     arrange();
 }
 
 void ParameterPanel::set(const Control& control, const std::string& text)
 {
-    const Arguments& arguments = session_.arguments();
-    const std::string& piece = text.empty() ? control.initial : text;
-    const std::string whole = control.place < 0 ? piece : with_piece(arguments.text(control.parameter), control.place, piece);
-    session_.set(control.parameter, whole);
+    // By value: the row may be another when the session has followed.
+    const std::string parameter = control.parameter, piece = text.empty() ? control.initial : text;
+    session_.set(parameter, control.place < 0 ? piece : with_piece(session_.shown_text(parameter), control.place, piece));
     show_values(); // a value that was refused gives way to the one that stands
 }
 
@@ -130,8 +161,8 @@ void ParameterPanel::show_values()
     const Arguments& arguments = session_.arguments();
     for (const auto& row : rows_) {
         const Control& c = row->control();
-        const std::string text = piece_of(arguments.text(c.parameter), c.place);
-        row->show_value(text, text == c.initial);
+        const std::string text = piece_of(session_.shown_text(c.parameter), c.place);
+        row->show_value(text, text == c.initial || arguments.is_default(c.parameter));
     }
 }
 
@@ -142,8 +173,54 @@ ParameterRow* ParameterPanel::row(std::string_view parameter, int place)
     return nullptr;
 }
 
+void ParameterPanel::choose_preset()
+{
+    if (!shown_) return;
+    std::vector<PopupEntry> entries;
+    entries.push_back({"Keep these values as…", [this] {
+        const auto name = ask_for_text("Keep these values as", "");
+        if (!name || name->empty()) return;
+        try {
+            session_.store_preset(*name);
+        } catch (const std::exception& e) {
+            show_failure(e.what());
+        }
+    }});
+    const std::vector<Preset> own = session_.presets().of(*shown_);
+    for (const auto* list : {&own, &shown_->presets}) {
+        entries.back().divider = true;
+        for (const Preset& preset : *list) entries.push_back({preset.name, [this, preset] { session_.take_preset(preset); }});
+    }
+    entries.back().divider = true;
+    for (const Preset& preset : own)
+        entries.push_back({"Forget " + preset.name, [this, preset] {
+            try {
+                session_.forget_preset(preset.name);
+            } catch (const std::exception& e) {
+                show_failure(e.what());
+            }
+        }});
+    show_popup(entries, presets_.x(), presets_.y() + presets_.h());
+}
+
+void ParameterPanel::choose_solid_for(const Parameter& parameter)
+{
+    if (const auto solid = choose_solid(pictures_, session_.arguments().text(parameter.name))) session_.set(parameter.name, *solid);
+}
+
+bool ParameterPanel::is_on_picture() const
+{
+    const int size = layout().header_picture();
+    return Fl::event_inside(x() + w() - layout().gap() - size, y() + layout().header_height(), size, size) != 0;
+}
+
 int ParameterPanel::handle(int event)
 {
+    if (event == FL_PUSH && shown_ && is_on_picture())
+        if (const Parameter* solid = solid_parameter(*shown_)) {
+            choose_solid_for(*solid);
+            return 1;
+        }
     if (Panel::handle(event)) return 1;
     const bool enter = event == FL_KEYBOARD && (Fl::event_key() == FL_Enter || Fl::event_key() == FL_KP_Enter);
     if (!enter || !shown_) return 0;

@@ -2,6 +2,7 @@
 
 #include "ui/panel.h"
 #include "ui/parameter_row.h"
+#include "ui/pictures.h"
 #include "ui/scroll_area.h"
 #include "ui/session.h"
 
@@ -16,7 +17,7 @@ namespace druse::ui {
 /// The parameters of the chosen operator, one row each, and what to do with them. Made from the registry.
 class ParameterPanel : public Panel {
 public:
-    ParameterPanel(Session& session, int x, int y, int w, int h);
+    ParameterPanel(Session& session, Pictures& pictures, int x, int y, int w, int h);
 
     std::function<void()> on_help;
 
@@ -32,17 +33,23 @@ protected:
     void draw() override;
 
 private:
-    void make_rows();
+    void make_rows(bool keep);
     void show_values();
     void set(const Control& control, const std::string& text);
     int header_height() const;
 
+    void choose_preset();
+    void choose_solid_for(const Parameter& parameter);
+    bool is_on_picture() const;
+
     Session& session_;
+    Pictures& pictures_;
     const Operator* shown_ = nullptr;
+    std::vector<Control> controls_; // of the rows
     ScrollArea scroll_;
     std::vector<std::unique_ptr<ParameterRow>> rows_; // after what they are in, so that they go first
     Fl_Check_Button live_;
-    Fl_Button apply_, reset_, help_;
+    Fl_Button presets_, apply_, reset_, help_;
 };
 
 } // namespace druse::ui

@@ -73,7 +73,8 @@ std::unique_ptr<ParameterRow> make_row(const Control& control, int x, int y, int
     case Control::Kind::field:
     case Control::Kind::selector:
     case Control::Kind::colour:
-    case Control::Kind::file: break;
+    case Control::Kind::file:
+    case Control::Kind::solid: break;
     }
     return std::make_unique<TextRow>(control, x, y, w);
 }

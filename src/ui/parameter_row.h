@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace druse::ui {
@@ -20,6 +21,9 @@ public:
     std::function<void()> on_copy;
     /// Enter was pressed in a field; `changed` tells whether that set another value.
     std::function<void(bool changed)> on_enter;
+
+    /// The button beside a solid was pressed: chooses another one, or none.
+    std::function<std::optional<std::string>(const std::string& current)> on_choose;
 
     const Control& control() const { return control_; }
     /// Shows a value; `is_default` makes the label faint.

@@ -79,6 +79,7 @@ int run_window(const WindowOptions& options)
     Fl::lock();
 
     Session session(all_operators());
+    session.presets() = PresetFile(PresetFile::default_path());
     const Layout& l = layout();
     const int w = asked.width ? *asked.width : preferences.width > 0 ? preferences.width : std::min(l.window_width(), Fl::w());
     const int h = asked.height ? *asked.height : preferences.height > 0 ? preferences.height : std::min(l.window_height(), Fl::h());

@@ -1,6 +1,8 @@
 #include "ui/session.h"
 
+#include "app/command.h"
 #include "app/save.h"
+#include "ops/text.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +13,13 @@ namespace druse::ui {
 namespace {
 
 constexpr std::size_t longest_log = 1000;
+
+/// Does it say what a command acts on, rather than how?
+bool is_target(const Parameter& p)
+{
+    using Type = Parameter::Type;
+    return p.type == Type::faces || p.type == Type::edges || p.type == Type::vertices || p.type == Type::id || p.type == Type::corner;
+}
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
@@ -50,7 +59,7 @@ void Session::choose(const Operator* op)
     if (op == chosen_) return;
     chosen_ = op;
     bound_.reset();
-    if (op) arguments_.try_emplace(op, *op);
+    implied_ = op ? implied_values(arguments_.try_emplace(op, *op).first->second) : Implied();
     message_ = {};
     event(op ? "chosen " + op->name : "chosen nothing");
     changed();
@@ -75,19 +84,78 @@ void Session::set(std::string_view parameter, std::string_view text)
         return;
     }
     if (message_.kind == Message::Kind::error) message_ = {};
-    if (bound_ && live_ && !not_live_.contains(chosen_))
-        submit({.task = Request::Task::again, .command = arguments.command(*bound_), .target = bound_});
-    else changed();
+    arguments_changed();
 }
 
 void Session::reset_arguments()
 {
     if (!chosen_) return;
+    arguments_.at(chosen_).reset();
+    arguments_changed();
+}
+
+std::string Session::shown_text(std::string_view parameter) const
+{
+    const auto in_full = implied_.find(parameter);
+    return in_full == implied_.end() ? arguments().text(parameter) : in_full->second;
+}
+
+/// Whoever depends on the values of the chosen operator follows them: what they imply, and the step that is bound to the panel.
+void Session::arguments_changed()
+{
     Arguments& arguments = arguments_.at(chosen_);
-    arguments.reset();
+    implied_ = implied_values(arguments);
+    for (const auto& [name, text] : implied_) { // a number for each tier of a solid that is no longer the one
+        const auto given = split(arguments.text(name), ',').size();
+        if (given > 1 && given != split(text, ',').size()) arguments.set(name, "");
+    }
     if (bound_ && live_ && !not_live_.contains(chosen_))
         submit({.task = Request::Task::again, .command = arguments.command(*bound_), .target = bound_});
     else changed();
+}
+
+// --- presets ------------------------------------------------------------------------------------------------------------------
+
+void Session::take_preset(const Preset& preset)
+{
+    if (!chosen_) return;
+    Arguments taken = arguments_.at(chosen_);
+    for (const Parameter& p : chosen_->parameters)
+        if (!is_target(p)) taken.set(p.name, "");
+    try {
+        for (const auto& [key, value] : parse_command(chosen_->name + " " + preset.arguments).arguments) {
+            if (!chosen_->find(key)) throw CommandError(fmt::format("unknown parameter '{}'", key));
+            taken.set(key, value);
+        }
+    } catch (const CommandError& e) {
+        say(Message::Kind::error, fmt::format("{}: preset={}: {}", chosen_->name, preset.name, e.what()));
+        changed();
+        return;
+    }
+    arguments_.at(chosen_) = std::move(taken);
+    event("preset " + preset.name);
+    arguments_changed();
+}
+
+void Session::store_preset(const std::string& name)
+{
+    if (!chosen_) return;
+    std::string values;
+    const Arguments& arguments = arguments_.at(chosen_);
+    for (const Parameter& p : chosen_->parameters)
+        if (!is_target(p) && !arguments.is_default(p.name)) values.append(values.empty() ? "" : " ").append(argument_text(p.name, arguments.text(p.name)));
+    presets_.store(*chosen_, {name, values});
+    event("preset stored " + name);
+    say(Message::Kind::note, fmt::format("stored as preset={} of {}", name, chosen_->name));
+    changed();
+}
+
+void Session::forget_preset(const std::string& name)
+{
+    if (!chosen_) return;
+    presets_.forget(*chosen_, name);
+    event("preset forgotten " + name);
+    changed();
 }
 
 void Session::set_live(bool on)
@@ -118,7 +186,7 @@ void Session::repeat()
     else say(Message::Kind::note, "choose an operator first; Space repeats it on the selection"), changed();
 }
 
-void Session::run(const std::string& command) { submit({.command = command}); }
+void Session::run(const std::string& command) { submit({.command = presets_.expand(registry_, command)}); }
 
 void Session::go_to(std::size_t step) { run(fmt::format("document.goto step={}", step)); }
 
@@ -146,11 +214,15 @@ void Session::submit(Request request)
         begin(std::move(request));
         return;
     }
-    // While a slider moves only its newest value counts. Nobody waits for a count of facts or an autosave: what comes meanwhile
-    // follows it.
+    // While a slider moves only its newest value counts. Nobody waits for an autosave: what comes meanwhile follows it; nor for a
+    // count of facts, which gives way and is taken up again later.
     const bool newest = request.task == Request::Task::again && request_.task == Request::Task::again;
     if (newest || is_background(request_)) {
         waiting_ = std::move(request);
+        if (request_.task == Request::Task::count) {
+            worker_.cancel();
+            if (worker_.wait(patience)) take_over();
+        }
         return;
     }
     say(Message::Kind::note, fmt::format("still busy with {}; Escape cancels it", doing_));
@@ -225,7 +297,7 @@ void Session::perform(const Request& request, Progress& progress, Result& result
         output.commit();
         break;
     }
-    case Request::Task::count: result.facts = facts(document_.scene().mesh); break;
+    case Request::Task::count: result.facts = facts(document_.scene().mesh, progress); break;
     }
 }
 
@@ -334,6 +406,7 @@ void Session::report_error(const Request& request, const std::exception_ptr& err
     try {
         std::rethrow_exception(error);
     } catch (const Cancelled&) {
+        if (is_background(request)) return;
         event("cancelled");
         say(Message::Kind::note, "cancelled");
         return;

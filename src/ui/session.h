@@ -2,9 +2,11 @@
 
 #include "ui/arguments.h"
 #include "ui/display.h"
+#include "ui/implied.h"
 #include "ui/worker.h"
 
 #include "app/document.h"
+#include "app/preset_file.h"
 
 #include <chrono>
 #include <exception>
@@ -67,9 +69,19 @@ public:
     void choose(const Operator* op);
     const Operator* chosen() const { return chosen_; }
     const Arguments& arguments() const; // precondition: chosen()
+    /// What some of them work out to where the command leaves them out.
+    const Implied& implied() const { return implied_; }
+    /// The text of a parameter of the chosen operator as a panel shows it. Precondition: chosen()
+    std::string shown_text(std::string_view parameter) const;
     /// Sets a value of the chosen operator. If its last step is still bound to the panel and live is on, runs that step again.
     void set(std::string_view parameter, std::string_view text);
     void reset_arguments();
+    /// Sets the values of a preset, and all others back to their defaults.
+    void take_preset(const Preset& preset);
+    /// Keeps the values there are, the faces and the like left out, as a person's own preset. @throws CommandError, SystemError
+    void store_preset(const std::string& name);
+    void forget_preset(const std::string& name);
+    PresetFile& presets() { return presets_; }
 
     bool live() const { return live_; }
     void set_live(bool on);
@@ -150,6 +162,7 @@ private:
     };
 
     static bool is_background(const Request& request) { return request.task == Request::Task::count || request.task == Request::Task::copy; }
+    void arguments_changed();
     void submit(Request request);
     void begin(Request request);
     void perform(const Request& request, Progress& progress, Result& result);
@@ -173,6 +186,8 @@ private:
 
     const Operator* chosen_ = nullptr;
     std::map<const Operator*, Arguments> arguments_;
+    Implied implied_; // by the chosen operator's
+    PresetFile presets_;
     std::optional<Overrides> bound_;
     bool live_ = true;
     std::set<const Operator*> not_live_; // too slow to run while a slider moves

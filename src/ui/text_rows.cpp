@@ -71,7 +71,7 @@ TextRow::TextRow(const Control& control, int x, int y, int w) : ParameterRow(con
     button_.callback([](Fl_Widget*, void* row) { static_cast<TextRow*>(row)->ask(); }, this);
     button_.color(theme().raised);
     button_.labelsize(layout().small_font());
-    if (control.kind == Control::Kind::file) button_.label("…");
+    if (control.kind == Control::Kind::file || control.kind == Control::Kind::solid) button_.label("…");
     else if (control.kind == Control::Kind::selector) button_.label("@#2>");
     else if (control.kind != Control::Kind::colour) button_.hide();
     arrange();
@@ -112,6 +112,10 @@ void TextRow::ask()
     switch (control().kind) {
     case Control::Kind::file:
         if (const auto file = ask_for_model("Choose a file")) set(file->string());
+        break;
+    case Control::Kind::solid:
+        if (!on_choose) break;
+        if (const auto solid = on_choose(shown_)) set(*solid);
         break;
     case Control::Kind::colour:
         if (const auto colour = ask_for_colour(colour_from_hex(field_.value()).value_or(Colour{204, 204, 204}))) set(to_hex(*colour));

@@ -1,6 +1,7 @@
 #include "ui/viewport.h"
 
 #include "ui/gl_context.h"
+#include "ui/pictures.h"
 
 #include "dlfl/errors.h"
 
@@ -29,6 +30,7 @@ void Viewport::hide()
     // FLTK destroys the context with the window, and everything in it.
     if (renderer_) {
         make_current();
+        solids_.reset();
         renderer_.reset();
     }
     Fl_Gl_Window::hide();
@@ -46,7 +48,9 @@ bool Viewport::make_renderer()
 {
     if (renderer_ && context_valid()) return true;
     if (!reason_.empty()) return false;
-    if (renderer_) renderer_->forget_context();
+    for (Renderer* lost : {renderer_.get(), solids_.get()})
+        if (lost) lost->forget_context();
+    solids_.reset();
     renderer_.reset();
     try {
         renderer_ = std::make_unique<Renderer>(window_gl_loader());
@@ -87,6 +91,27 @@ Image Viewport::picture(int factor, bool transparent)
     Image image = renderer_->read_image();
     redraw();
     return image;
+}
+
+std::optional<Image> Viewport::picture_of(const Mesh& solid, int size)
+{
+    if (!reason_.empty()) throw SystemError(reason_);
+    if (!renderer_ || !shown() || !context_valid()) return {};
+    make_current();
+    if (!solids_) solids_ = std::make_unique<Renderer>(window_gl_loader());
+
+    // Drawn larger and made smaller, which is smoother than what most drivers do, and the same with all of them.
+    constexpr int factor = 4;
+    const DrawLists lists(solid, [](int) { return Colour{0xc9, 0xce, 0xd6}; });
+    Camera camera;
+    camera.resize(size * factor, size * factor);
+    camera.set_angles({25, 20});
+    camera.fit(lists.positions());
+    Style style;
+    style.transparent_background = true;
+    style.line_scale = 0.7 * factor;
+    solids_->draw(lists, camera, style, {}, 0);
+    return shrunk(solids_->read_image(), factor);
 }
 
 Pointer Viewport::pointer() const

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace druse::ui {
@@ -31,6 +32,9 @@ public:
     std::string driver() const;
     /// What is shown, without widgets, `factor` times as large.
     Image picture(int factor, bool transparent);
+    /// A solid by itself, `size` pixels wide and high, without a background; nothing while there is no context yet.
+    /// @throws SystemError if there will be none
+    std::optional<Image> picture_of(const Mesh& solid, int size);
 
 protected:
     void draw() override;
@@ -43,6 +47,7 @@ private:
     Session& session_;
     View& view_;
     std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<Renderer> solids_; // another one, so that the mesh stays where it is while a solid is drawn
     std::string reason_;
     int frame_ = 0, samples_ = 0;
     bool dropped_ = false;

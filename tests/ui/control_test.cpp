@@ -81,7 +81,26 @@ TEST(Controls, KindsFollowTheTypesOfParameters)
     EXPECT_EQ(control("extrude.cubical", "groups").kind, Control::Kind::choice);
     EXPECT_TRUE(control("extrude.cubical", "iterations").integer);
     EXPECT_EQ(control("document.open", "file").kind, Control::Kind::file);
+    EXPECT_EQ(control("extrude.solid", "solid").kind, Control::Kind::solid);
     EXPECT_TRUE(control("document.open", "file").required);
+}
+
+TEST(Controls, WhatASolidImpliesCanSlide)
+{
+    const Operator& op = all_operators().get("extrude.solid");
+    Arguments arguments(op);
+    arguments.set("solid", "snub_cube"); // on its square: 5 tiers, 142.98 degrees
+    const auto controls = controls_of(op, implied_values(arguments));
+    EXPECT_EQ(std::count_if(controls.begin(), controls.end(), [](const Control& c) { return c.parameter == "heights" && c.slider; }), 5);
+    const auto angle = std::find_if(controls.begin(), controls.end(), [](const Control& c) { return c.parameter == "angle"; });
+    EXPECT_TRUE(angle->slider);
+    EXPECT_EQ(angle->initial, ""); // unset, whatever the solid
+    EXPECT_EQ(implied_values(arguments).at("angle"), "142.98343");
+    arguments.set("base", "3"); // 7 tiers over a triangle
+    EXPECT_EQ(split(implied_values(arguments).at("heights"), ',').size(), 7u);
+    arguments.set("solid", "./snub_cube.obj");
+    EXPECT_TRUE(implied_values(arguments).empty());
+    EXPECT_EQ(control("extrude.solid", "heights").kind, Control::Kind::field);
 }
 
 TEST(Controls, PiecesOfAListAreReplacedOneByOne)

@@ -27,6 +27,9 @@ BESIDE_THE_MESH = (330, 700)
 PANEL_ROWS_TOP = 28 + 300 + 1 + 28 + 2 * 22
 ROW_HEIGHT = 26
 SLIDER = (176, 278)
+PANEL_PICTURE = (260, 380)
+PRESETS = (250, 343)
+RESET = (203, 753)
 
 
 class Failure(Exception):
@@ -50,7 +53,8 @@ class Window:
         self.log_file.unlink(missing_ok=True)
         self.seen = 0
         self.pictures = pictures
-        environment = dict(os.environ, HOME=str(folder), XDG_STATE_HOME=str(folder / "state"), LP_NUM_THREADS="2")
+        environment = dict(os.environ, HOME=str(folder), XDG_STATE_HOME=str(folder / "state"), XDG_CONFIG_HOME=str(folder / "config"),
+                            LP_NUM_THREADS="2")
         self.errors = open(folder / "stderr.txt", "w+")
         self.process = subprocess.Popen(
             [str(druse), "--test", "--geometry", geometry, "--event-log", str(self.log_file)] + [str(a) for a in arguments],
@@ -123,11 +127,11 @@ class Window:
         subprocess.run(["convert", "xwd:-", str(file)], input=dump, check=True, timeout=60)
         return file
 
-    def choose(self, name):
+    def choose(self, name, words=None):
         """Through the search field, as a person would who does not know where it is."""
         self.click(SEARCH_FIELD)
         self.keys("ctrl+a")
-        self.type(name.split(".")[1])
+        self.type(words or name.split(".")[1])
         self.keys("Return")
         self.wait("chosen " + name)
 
@@ -316,6 +320,68 @@ def dialogs(druse, folder, pictures):
     window.close()
 
 
+def solids(druse, folder, pictures):
+    """A solid from the gallery, its sliders, values kept under a name, and a start corner."""
+    window = Window(druse, folder, pictures, [folder / "colored_cube.obj"])
+    window.choose("extrude.solid", "any solid")
+    window.picture("1-no-solid")
+    window.click(PANEL_PICTURE)
+    gallery = run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "^Solids$").split()[0]
+    time.sleep(1.5)  # its pictures come a few at a time
+    plain = window.picture("2-gallery")
+    window.mouse("mousemove", "--window", gallery, 10 + 3 * 96 + 48, 10 + 40)  # the fourth: the dodecahedron
+    check(different_pixels(plain, window.picture("3-gallery-marked")) > 1000, "the solid under the pointer should be marked")
+    window.mouse("click", 1)
+
+    window.click(SIDE_FACE)
+    window.wait("applied extrude.solid faces=38")  # as with extrude.dodecahedral
+    y = row_middle(8)  # solid base turns phase mirror angle, and the third of three heights
+    window.press((SLIDER[0] + 30, y))
+    for x in range(SLIDER[0] + 30, SLIDER[0] + 70, 4):
+        window.move((x, y))
+    window.release()
+    window.wait("adjusted extrude.solid faces=38")
+    window.picture("4-adjusted")
+
+    window.click(PRESETS)
+    time.sleep(0.5)
+    window.picture("5-presets")
+    window.keys("Down", "Return")
+    time.sleep(0.5)
+    window.type("my spikes")
+    window.picture("6-preset-name")
+    window.keys("Return")
+    window.wait("preset stored my spikes")
+    window.click(RESET)
+    window.wait("error extrude.solid: solid= is missing")
+    window.click(PRESETS)
+    time.sleep(0.5)
+    window.picture("7-own-preset")
+    window.keys("Down", "Down", "Return")  # below the entry that keeps values
+    window.wait("preset my spikes")
+    window.wait("adjusted extrude.solid faces=38")
+
+    window.choose("face.start", "face.start")
+    window.click(TOP_FACE)
+    window.wait("applied face.start faces=38")
+    window.picture("8-start-corner")
+    window.keys("ctrl+e")
+    window.answer_file_dialog("Export", folder / "window.obj", "colored_cube.stl")
+    window.wait("exported")
+    window.keys("ctrl+shift+s")
+    window.answer_file_dialog("Save as", folder / "history.druse", "colored_cube.obj")
+    window.wait("saved " + str(folder / "history.druse"))
+    window.close()
+
+    script = (folder / "history.druse").read_text().splitlines()
+    check(len(script) == 3 and script[1].startswith("extrude.solid solid=dodecahedron heights=1,"), f"one extrusion should be recorded: {script}")
+    stored = (folder / "config/druse/presets").read_text()
+    check(stored.startswith('extrude.solid preset="my spikes" solid=dodecahedron heights=1,'), stored)
+    run(druse, "apply", "-s", folder / "history.druse", "-o", folder / "terminal.obj")
+    ours, theirs = ((folder / f"{name}.obj").read_text().replace("window", "terminal") for name in ("window", "terminal"))
+    check(ours == theirs, "the exported mesh is not the one that `druse apply` makes")
+
+
 def replay(druse, folder, pictures):
     """A recording plays back to the same history."""
     window = Window(druse, folder, pictures, ["--record", folder / "recording.txt", folder / "colored_cube.obj"])
@@ -359,7 +425,7 @@ def main():
     scenario, druse, models, pictures = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4]) / sys.argv[1]
     shutil.rmtree(pictures, ignore_errors=True)
     pictures.mkdir(parents=True)
-    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, replay, sizes)}
+    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, replay, sizes)}
     with tempfile.TemporaryDirectory() as folder:
         try:
             folder = pathlib.Path(folder).resolve()

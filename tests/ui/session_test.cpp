@@ -256,6 +256,73 @@ TEST_F(CubeSession, ItsScriptMakesTheSameMesh)
     EXPECT_TRUE(*session.mesh() == *other.mesh());
 }
 
+TEST_F(CubeSession, ASolidBringsItsOwnAngleAndAHeightForEachTier)
+{
+    choose("extrude.solid");
+    EXPECT_TRUE(session.implied().empty());
+    session.set("solid", "dodecahedron");
+    EXPECT_EQ(session.shown_text("angle"), "116.565051"); // acos(-1/sqrt 5)
+    EXPECT_EQ(session.shown_text("heights"), "1,1,1");
+    session.set("heights", "1,0.5,1");
+    click(0);
+    EXPECT_EQ(steps().back(), "extrude.solid solid=dodecahedron heights=1,0.5,1 faces=0");
+    set("angle", "100");
+    EXPECT_EQ(session.shown_text("angle"), "100");
+    set("solid", "cube"); // of one tier: what was set for three goes
+    EXPECT_EQ(session.shown_text("heights"), "1");
+    EXPECT_EQ(steps().back(), "extrude.solid solid=cube angle=100 faces=0");
+    EXPECT_EQ(steps().size(), 2u);
+    set("solid", "no_such");
+    EXPECT_EQ(session.message().kind, Message::Kind::error);
+    EXPECT_EQ(steps().size(), 2u);
+    EXPECT_EQ(session.display().counts, (Counts{12, 20, 10}));
+}
+
+TEST_F(CubeSession, AfterManyAdjustmentsTheRecordedHistoryMakesTheSameMesh)
+{
+    choose("extrude.solid");
+    session.set("solid", "truncated_cube");
+    click(5);
+    for (const char* angle : {"95", "100", "105", "80"}) set("angle", angle);
+    for (const char* heights : {"1,1,2", "1,0.5,2"}) set("heights", heights);
+    set("iterations", "2");
+    EXPECT_EQ(steps().size(), 2u);
+    Document recorded(all_operators());
+    for (const std::string& step : steps()) recorded.apply(step);
+    EXPECT_TRUE(*session.mesh() == recorded.scene().mesh);
+}
+
+TEST_F(CubeSession, APresetSetsItsValuesAndLeavesAllOthersAtTheirDefaults)
+{
+    choose("extrude.cubical");
+    session.set("angle", "70");
+    session.set("iterations", "3");
+    session.set("faces", "all");
+    session.store_preset("tower of three");
+    session.reset_arguments();
+    session.set("heights", "2");
+    session.take_preset(session.presets().of(*session.chosen()).at(0));
+    EXPECT_EQ(session.arguments().command(), "extrude.cubical angle=70 iterations=3");
+    click(0);
+    EXPECT_EQ(steps().back(), "extrude.cubical faces=0 angle=70 iterations=3");
+    session.reset_arguments(); // the step is bound still
+    session.wait();
+    EXPECT_EQ(steps().back(), "extrude.cubical faces=0");
+    run("extrude.cubical faces=1 preset=\"tower of three\" angle=80");
+    EXPECT_EQ(steps().back(), "extrude.cubical faces=1 angle=80 iterations=3");
+    session.forget_preset("tower of three");
+    EXPECT_TRUE(session.presets().of(*session.chosen()).empty());
+}
+
+TEST_F(CubeSession, APresetThatDoesNotFitIsRefusedAsAWhole)
+{
+    choose("extrude.cubical");
+    session.set("angle", "70");
+    session.take_preset({"broken", "iterations=2 angle=270"});
+    EXPECT_EQ(session.message().kind, Message::Kind::error);
+    EXPECT_EQ(session.arguments().command(), "extrude.cubical angle=70");
+}
+
 TEST_F(CubeSession, AQueryTellsWhatItFoundAndIsNoStep)
 {
     std::string found;
@@ -311,10 +378,13 @@ TEST(Session, TheFactsOfALargeMeshAreCountedOnDemand)
     session.run("make.grid nx=200 ny=200");
     session.wait();
     EXPECT_FALSE(session.display().facts);
+    std::vector<std::string> events;
+    session.on_event = [&](const std::string& line) { events.push_back(line); };
     session.count_facts();
     session.run("make.cube"); // need not wait for them
     session.wait();
     EXPECT_EQ(session.display().counts.faces, 40007u);
+    EXPECT_EQ(events, std::vector<std::string>{"applied make.cube faces=40007"});
     session.count_facts();
     session.wait();
     EXPECT_EQ(session.display().facts->components, 2u);
