@@ -24,31 +24,35 @@ double reach_of(const PatternChoice& choice) { return choice.exact ? 1e-6 : 1e-4
 /// Finds the point near a place.
 class PointFinder {
 public:
-    PointFinder(const std::vector<Point>& points, double reach) : points_(points), reach_(reach), cell_(std::max(4.0 * reach, spread(points)))
+    /// Cells are a little larger than what is looked for, so that a search meets few cells and few points in them.
+    PointFinder(const std::vector<Point>& points, double largest_reach) : points_(points), cell_(std::max(4.0 * largest_reach, least_cell(points)))
     {
         for (std::uint32_t i = 0; i < points.size(); ++i) cells_.emplace(key(cell_of(points[i])), i);
     }
     /// The lowest-numbered point within reach, or Vertex::none.
-    std::uint32_t find(const Point& p) const
+    std::uint32_t find(const Point& p, double reach) const
     {
         std::uint32_t best = Vertex::none;
-        const glm::i64vec3 low = cell_of(p - Vector(reach_)), high = cell_of(p + Vector(reach_));
+        if (!std::isfinite(p.x + p.y + p.z)) return best;
+        const glm::i64vec3 low = cell_of(p - Vector(reach)), high = cell_of(p + Vector(reach));
         for (auto x = low.x; x <= high.x; ++x)
             for (auto y = low.y; y <= high.y; ++y)
                 for (auto z = low.z; z <= high.z; ++z) {
                     const auto [begin, end] = cells_.equal_range(key({x, y, z}));
                     for (auto it = begin; it != end; ++it)
-                        if (glm::distance(points_[it->second], p) <= reach_) best = std::min(best, it->second);
+                        if (glm::distance(points_[it->second], p) <= reach) best = std::min(best, it->second);
                 }
         return best;
     }
 
 private:
-    static double spread(const std::vector<Point>& points)
+    /// What keeps the numbers of cells within 64 bits.
+    static double least_cell(const std::vector<Point>& points)
     {
         Box box;
         for (const Point& p : points) box.add(p);
-        return box.diagonal() / std::cbrt(double(points.size()) + 1.0);
+        const double least = 1e-15 * (box.diagonal() + glm::length(box.center()));
+        return least > 0.0 ? least : 1.0;
     }
     glm::i64vec3 cell_of(const Point& p) const { return glm::i64vec3(glm::floor(p / cell_)); }
     static std::uint64_t key(const glm::i64vec3& c)
@@ -56,7 +60,7 @@ private:
         return std::uint64_t(c.x) * 0x9e3779b97f4a7c15ull ^ std::uint64_t(c.y) * 0xc2b2ae3d27d4eb4full ^ std::uint64_t(c.z) * 0x165667b19e3779f9ull;
     }
     const std::vector<Point>& points_;
-    double reach_, cell_;
+    double cell_;
     std::unordered_multimap<std::uint64_t, std::uint32_t> cells_;
 };
 
@@ -69,20 +73,17 @@ public:
         stand_on_base();
     }
 
-    /// The largest number of turns that carry the solid into itself.
-    int largest_turn()
-    {
-        for (int k = sides(); k > 1; --k)
-            if (sides() % k == 0 && !turned_vertices(k).empty()) return k;
-        return 1;
-    }
+    /// Whether the turn by 360°/k carries the solid into itself.
+    bool turns(int k) { return !turned_vertices(k).empty(); }
 
     SolidPattern read(int turns)
     {
         pattern_.sides = sides();
         pattern_.turns = turns;
         pattern_.edges = sides() / turns;
+        same_azimuth_ = std::min(same_azimuth_, 0.01 * wedge_angle());
         next_ = turned_vertices(turns);
+        if (next_.empty()) wraps();
         if (!choice_.exact) average_turns();
         refuse_below_base();
         turn_to_phase();
@@ -152,7 +153,7 @@ private:
         if (!finder_) finder_.emplace(place_, same_place_);
         std::vector<bool> taken(place_.size(), false);
         for (std::uint32_t v = 0; v < image.size(); ++v) {
-            image[v] = finder_->find(turned(place_[v], full / k));
+            image[v] = finder_->find(turned(place_[v], full / k), same_place_);
             if (image[v] == Vertex::none || taken[image[v]]) return {};
             taken[image[v]] = true;
         }
@@ -180,12 +181,17 @@ private:
     /// Makes the symmetry of coordinates from a file exact: every vertex becomes the mean of its images, turned back.
     void average_turns()
     {
-        std::vector<Point> mean(place_.size(), Point(0.0));
+        std::vector<bool> done(place_.size(), false);
         for (std::uint32_t v = 0; v < place_.size(); ++v) {
+            if (done[v]) continue;
+            Point mean(0.0);
             std::uint32_t w = v;
-            for (int j = 0; j < wedges(); ++j, w = next_[w]) mean[v] += turned(place_[w], -j * wedge_angle()) / double(wedges());
+            for (int j = 0; j < wedges(); ++j, w = next_[w]) mean += turned(place_[w], -j * wedge_angle()) / double(wedges());
+            for (int j = 0; j < wedges(); ++j, w = next_[w]) {
+                place_[w] = turned(mean, j * wedge_angle());
+                done[w] = true;
+            }
         }
-        place_ = std::move(mean);
         finder_.reset();
     }
 
@@ -538,7 +544,8 @@ private:
     const Mesh& solid_;
     const Face base_;
     const PatternChoice& choice_;
-    const double same_place_, same_azimuth_; // radians
+    const double same_place_;
+    double same_azimuth_; // radians
     SolidPattern pattern_;
     std::vector<std::uint32_t> foot_;           // the base's vertices, counter-clockwise from above
     std::vector<Face> wall_;                    // over the edges from each of them
@@ -572,30 +579,67 @@ void refuse_degenerate(const Mesh& solid)
                 throw CommandError(fmt::format("two edges of the solid join vertices {} and {}", v.index, solid.target(c).index));
 }
 
-/// The largest number of turns about each face's axis.
+/// The largest number of turns about each face's axis that carry the solid into itself.
+///
+/// Looking at all vertices is left to the few faces that pass two tests: such a turn keeps the mean of the vertices, so that lies on the
+/// axis, and it carries some vertices taken at random to vertices.
 class TurnFinder {
 public:
     TurnFinder(const Mesh& solid, const PatternChoice& choice) : solid_(solid), choice_(choice)
     {
-        for (const Vertex v : solid.vertices()) mean_ += solid.position(v) / double(solid.vertex_count());
+        for (const Vertex v : solid.vertices()) points_.push_back(solid.position(v));
+        for (const Point& p : points_) mean_ += p / double(points_.size());
+        double longest = 0.0;
+        for (const Edge e : solid.edges()) longest = std::max(longest, length(solid, e));
+        finder_.emplace(points_, slack * reach_of(choice) * longest);
     }
-    int largest(Face f) const { return may_turn(f) ? Reader(solid_, f, choice_).largest_turn() : 1; }
+    /// 1 if it is below `least`.
+    int largest(Face f, int least = 2) const
+    {
+        const int n = solid_.valence(f);
+        const Axis axis = axis_of(f);
+        std::optional<Reader> reader;
+        for (int k = n; k >= std::max(least, 2); --k) {
+            if (n % k != 0 || !may_turn(axis, k)) continue;
+            if (!reader) reader.emplace(solid_, f, choice_);
+            if (reader->turns(k)) return k;
+        }
+        return 1;
+    }
 
 private:
-    /// A turn that carries the solid into itself keeps the mean of its vertices, so that lies on the axis. A solid has few such faces,
-    /// which spares looking at all vertices for each face.
-    bool may_turn(Face f) const
+    struct Axis {
+        Point on;
+        Vector along;
+        double reach; // how far a vertex may be from where the turn carries another
+    };
+    Axis axis_of(Face f) const
     {
-        const Vector normal = unit_normal(solid_, f), offset = mean_ - vertex_mean(solid_, f);
         double around = 0.0;
         for (const Corner c : solid_.corners(f)) around += length(solid_, solid_.edge(c));
-        // Each vertex may miss its image by the reach, and so may the mean; a turn by 360°/n moves it 2 sin(180°/n) times its distance.
-        const int n = solid_.valence(f);
-        return glm::length(offset - glm::dot(offset, normal) * normal) <= reach_of(choice_) * around / n / (2.0 * std::sin(pi / n)) + 1e-9 * glm::length(offset);
+        return {vertex_mean(solid_, f), unit_normal(solid_, f), slack * reach_of(choice_) * around / solid_.valence(f)};
     }
+    bool may_turn(const Axis& axis, int k) const
+    {
+        const double angle = full / k;
+        // The mean is carried as far as its distance from the axis says, and each vertex may miss its place by the reach.
+        const Vector offset = mean_ - axis.on;
+        const double from_axis = glm::length(offset - glm::dot(offset, axis.along) * axis.along);
+        if (from_axis * 2.0 * std::sin(0.5 * angle) > axis.reach + 1e-12 * glm::length(offset)) return false;
+        const std::size_t step = points_.size() / 7 + 1;
+        for (std::size_t v = 0; v < points_.size(); v += step) {
+            const Vector d = points_[v] - axis.on, up = glm::dot(d, axis.along) * axis.along, out = d - up;
+            const Point there = axis.on + up + std::cos(angle) * out + std::sin(angle) * glm::cross(axis.along, out);
+            if (finder_->find(there, axis.reach + 1e-12 * glm::length(d)) == Vertex::none) return false;
+        }
+        return true;
+    }
+    static constexpr double slack = 1.001; // no face is missed by rounding; the Reader looks again
     const Mesh& solid_;
     const PatternChoice& choice_;
+    std::vector<Point> points_;
     Point mean_{0.0};
+    std::optional<PointFinder> finder_;
 };
 
 } // namespace
@@ -603,9 +647,11 @@ private:
 Tiling SolidPattern::tiling() const
 {
     Tiling tile(edges);
-    for (int t = 1; t <= tiers; ++t)
-        if (const auto in_tier = std::ranges::count_if(orbits, [t](const Orbit& o) { return o.tier == t && o.place.kind != Place::Kind::apex; }))
-            tile.tier(static_cast<int>(in_tier));
+    std::vector<int> in_tier(std::size_t(tiers) + 1, 0);
+    for (const Orbit& o : orbits)
+        if (o.place.kind != Place::Kind::apex) ++in_tier[std::size_t(o.tier)];
+    for (const int count : in_tier)
+        if (count > 0) tile.tier(count);
     if (has_apex) tile.apex();
     std::vector<Tiling::Orbit> around;
     for (const int orbit : top) around.push_back({orbit});
@@ -631,14 +677,14 @@ SolidPattern read_pattern(const Mesh& solid, const PatternChoice& choice)
         int sides = 0;
         for (const Face f : solid.faces()) {
             const int n = solid.valence(f);
-            // A face cannot beat the best one so far if it has too few sides to turn more often.
-            if ((choice.sides && n != *choice.sides) || n < turns || (n == sides && turns == n)) continue;
-            const int k = turn.largest(f);
-            if (k > turns || (k == turns && n > sides)) {
-                base = f;
-                turns = k;
-                sides = n;
-            }
+            if (choice.sides && n != *choice.sides) continue;
+            // To beat the best face so far it must turn more often, or as often with more sides.
+            const int least = n > sides ? turns : turns + 1;
+            const int k = n < least ? 1 : turn.largest(f, least);
+            if (k < least) continue;
+            base = f;
+            turns = k;
+            sides = n;
         }
         if (!base.valid()) throw CommandError(choice.sides ? fmt::format("the solid has no face with {} sides", *choice.sides) : "the solid has no face to stand on");
     }

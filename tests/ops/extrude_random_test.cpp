@@ -258,6 +258,17 @@ TEST(PatternsFromFiles, AreRefusedInOneLineWhereTheyAreNoSolid)
     EXPECT_EQ(reason(c, on(c, {0.5, 0.5, 0})), "the solid wraps round its axis");
 }
 
+TEST(PatternsFromFiles, StandOnTheFaceThatTurnsMostHoweverManyThereAre)
+{
+    // Five thousand squares that turn twice, and two lids that turn five thousand times.
+    File file(prism(5000));
+    EXPECT_EQ(counts(file.raise(dihedron(7))), (Counts{14, 21, 9}));
+    EXPECT_EQ(counts(file.raise(dihedron(4), {{"base", "4"}, {"planar", "off"}})), (Counts{10'000, 15'000, 5'002}));
+    // Far more turns than digits of an azimuth in a file would tell apart.
+    File round(prism(64'000));
+    EXPECT_EQ(counts(round.raise(dihedron(5), {{"base", "face:0"}})), (Counts{10, 15, 7}));
+}
+
 TEST(PatternsFromFiles, AreSoundOrRefusedForEveryShapeAndFace)
 {
     int built = 0;
