@@ -136,6 +136,8 @@ void Document::edit(const Invocation& call, Context& context)
     bool recording = true;
     try {
         call.op->run(scene_, call.parameters.get(), context);
+        if (const Vertex v = changed_out_of_reach(scene_.mesh); v.valid())
+            throw CommandError(fmt::format("vertex {} would lie beyond {}", v.index, largest_coordinate));
         settle_selection();
         check(*call.op);
         before.mesh = scene_.mesh.end_change();

@@ -1,6 +1,7 @@
 #include "app/registry.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "dlfl/errors.h"
 #include "io/output.h"
 #include "render/png.h"
 #include "render/still.h"
@@ -13,6 +14,7 @@ void render(const RenderRequest& request, Progress& progress)
 {
     Document document(all_operators());
     const Document::Outcome outcome = open_input(document, request.input, request.format, progress);
+    if (outcome.failed) throw CommandError(outcome.failure);
     const Scene& scene = document.scene();
     const Graph* graph = std::get_if<Graph>(&*scene.source);
     const Image image = scene.mesh.face_count() == 0 && graph

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <vector>
 
 namespace druse {
@@ -60,8 +59,7 @@ public:
     /// Walks the rotation; `visited` grows by the number of corners met.
     std::string vertex(Vertex v, std::uint64_t& visited) const
     {
-        const Point& p = mesh_.position(v);
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return fmt::format("vertex {}: its position is not finite", v.index);
+        if (!is_in_reach(mesh_.position(v))) return fmt::format("vertex {}: its position lies beyond {}", v.index, largest_coordinate);
         const Corner first = mesh_.corner(v);
         if (!mesh_.is_alive(first) || mesh_.vertex(first) != v) return fmt::format("vertex {}: its corner is not one of its own", v.index);
         if (!mesh_.edge(first).valid()) {
@@ -160,6 +158,20 @@ public:
 
     bool changed_whole() const { return mesh_.corner_vertex_.changed_whole(); }
 
+    Vertex out_of_reach() const
+    {
+        Vertex found;
+        const auto look = [&](std::uint32_t i) {
+            if (!is_in_reach(mesh_.position(Vertex(i)))) found = Vertex(i);
+            return !found.valid();
+        };
+        if (mesh_.vertex_position_.changed_whole())
+            for (std::uint32_t i = 0; i < mesh_.vertex_limit() && look(i); ++i) {}
+        else
+            each_changed(look, mesh_.vertex_position_);
+        return found;
+    }
+
 private:
     /// Calls `visit` with every index in a changed page or past the old end of one of the columns, until it returns false.
     template <class Visit, class... T>
@@ -188,5 +200,7 @@ std::string check_change(const Mesh& mesh)
     const MeshChecker checker(mesh);
     return checker.changed_whole() ? checker.everything() : checker.change();
 }
+
+Vertex changed_out_of_reach(const Mesh& mesh) { return MeshChecker(mesh).out_of_reach(); }
 
 } // namespace druse

@@ -2,13 +2,12 @@
 #include "dlfl/errors.h"
 #include "dlfl/mesh.h"
 
-#include <cmath>
 
 namespace druse {
 
 Vertex Mesh::create_vertex(const Point& p)
 {
-    ASSERT(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "finite coordinates");
+    ASSERT(is_in_reach(p), "coordinates within reach");
     const Vertex v = new_vertex(p);
     const Corner c = new_corner(v);
     link(c, c);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 namespace druse {
 
@@ -188,9 +189,40 @@ void wind_alike(const Polygons& p, CrowdedEdges& crowded, Repairs& repairs)
         if (const std::uint32_t f = p.face[s.index].index; turned[f]) s = Corner(p.begin(f) + (p.ends[f] - 1 - s.index));
 }
 
+/// Normals of faces, each measured once, however many crowded edges its face has.
+class FaceNormals {
+public:
+    FaceNormals(const Polygons& p, std::span<const Point> position)
+        : p_(p), position_(position), normals_(p.faces, Vector(0.0)), known_(p.faces, false)
+    {
+    }
+
+    /// Newell's, so that concave faces count too; of any length.
+    const Vector& operator()(Face f)
+    {
+        Vector& normal = normals_[f.index];
+        if (known_[f.index]) return normal;
+        known_[f.index] = true;
+        const Point& origin = position_[p_.from(Corner(p_.begin(f.index))).index];
+        Vector here(0.0);
+        for (std::size_t c = p_.begin(f.index) + 1; c < p_.ends[f.index]; ++c) {
+            const Vector there = position_[p_.from(Corner(static_cast<std::uint32_t>(c))).index] - origin;
+            normal += glm::cross(here, there);
+            here = there;
+        }
+        return normal;
+    }
+
+private:
+    const Polygons& p_;
+    std::span<const Point> position_;
+    std::vector<Vector> normals_;
+    std::vector<bool> known_;
+};
+
 /// Pairs the sides along a crowded edge: going around it, a side that runs down is joined to the next one that runs up, so that
 /// each pair encloses a wedge of the solid. What finds no mate stays open.
-void pair_fan(const Polygons& p, std::span<const Corner> sides, std::span<const Point> position)
+void pair_fan(const Polygons& p, std::span<const Corner> sides, std::span<const Point> position, FaceNormals& normal)
 {
     const Vertex low = std::min(p.from(sides[0]), p.to(sides[0])), high = std::max(p.from(sides[0]), p.to(sides[0]));
     const Point& origin = position[low.index];
@@ -204,17 +236,8 @@ void pair_fan(const Polygons& p, std::span<const Corner> sides, std::span<const 
     };
     std::vector<Ray> fan;
     for (const Corner s : sides) {
-        // The face leaves the edge square to it and to the face's normal (Newell's, so that concave faces count too).
-        Vector normal(0.0);
-        Point here = position[p.from(s).index] - origin;
-        for (Corner c = p.next[s.index];; c = p.next[c.index]) {
-            const Point there = position[p.from(c).index] - origin;
-            normal += glm::cross(here, there);
-            here = there;
-            if (c == s) break;
-        }
         const bool up = p.from(s) == low;
-        const Vector away = unit(glm::cross(normal, up ? axis : -axis));
+        const Vector away = unit(glm::cross(normal(p.face[s.index]), up ? axis : -axis)); // the face leaves the edge square to it
         fan.push_back({std::atan2(glm::dot(away, y), glm::dot(away, x)), s, up});
     }
     // Faces upon each other count as being at the same angle, however they are rounded.
@@ -314,8 +337,10 @@ Mesh MeshBuilder::mend(Repairs& repairs)
     CrowdedEdges crowded;
     if (pair_sides(p, crowded)) wind_alike(p, crowded, repairs);
     std::size_t begin = 0;
+    std::optional<FaceNormals> normals;
+    if (!crowded.ends.empty()) normals.emplace(p, positions_.view());
     for (const std::size_t end : crowded.ends) {
-        pair_fan(p, std::span(crowded.sides).subspan(begin, end - begin), positions_.view());
+        pair_fan(p, std::span(crowded.sides).subspan(begin, end - begin), positions_.view(), *normals);
         begin = end;
     }
     repairs.edges_split = static_cast<std::uint32_t>(crowded.ends.size());

@@ -4,11 +4,22 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <cmath>
+
 namespace druse {
 
 using Point = glm::dvec3;    // a place, in model units
 using Vector = glm::dvec3;   // a difference of places, or a direction
 using Point2 = glm::dvec2;
+
+/// The largest coordinate of a mesh, in size: single precision holds it, and products of six of them stay finite.
+inline constexpr double largest_coordinate = 1e38;
+
+/// False also for what is no number.
+inline bool is_in_reach(const Point& p)
+{
+    return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate && std::abs(p.z) <= largest_coordinate;
+}
 
 /// A vector of length 1 in the direction of `v`, or `fallback` where `v` is shorter than `least`.
 inline Vector unit(const Vector& v, double least = 0.0, const Vector& fallback = Vector(0.0))

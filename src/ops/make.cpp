@@ -306,7 +306,7 @@ namespace {
 void add_to_scene(Scene& scene, Mesh shape)
 {
     for (const Point& p : shape.positions())
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) throw CommandError("the shape is too large: its coordinates are not finite");
+        if (!is_in_reach(p)) throw CommandError(fmt::format("the shape is too large: it reaches beyond {}", largest_coordinate));
     const std::uint32_t first = scene.mesh.face_limit(), count = shape.face_limit();
     if (scene.mesh.corner_limit() == 0) scene.mesh.replace_with(std::move(shape));
     else scene.mesh.append(shape);

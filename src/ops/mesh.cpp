@@ -29,8 +29,7 @@ void transform(Mesh& mesh, const std::vector<Vertex>& vertices, const Transform&
     for (const Vertex v : vertices) {
         const Vector d = mesh.position(v) - t.about;
         const Point p = origin + (axis[0] * d.x + axis[1] * d.y + axis[2] * d.z);
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-            throw CommandError(fmt::format("vertex {} would not stay finite", v.index));
+        if (!is_in_reach(p)) throw CommandError(fmt::format("vertex {} would lie beyond {}", v.index, largest_coordinate));
         mesh.set_position(v, p);
     }
     if (!t.mirrors()) return;

@@ -156,12 +156,18 @@ void add_term(const Scene& scene, const SelectorTerm& term, std::vector<H>& resu
         result.insert(result.end(), list.begin(), list.end());
         return;
     }
-    case Kind::ids:
-        for (const auto& [first, last] : term.ids) {
+    case Kind::ids: {
+        for (const auto& [first, last] : term.ids)
             if (last >= count<H>(mesh)) not_there<H>(std::max(first, count<H>(mesh)), count<H>(mesh));
-            for (std::uint32_t i = first; i <= last; ++i) result.push_back(H(i));
+        std::vector<SelectorTerm::Range> ranges = term.ids;
+        std::ranges::sort(ranges, {}, &SelectorTerm::Range::first);
+        std::uint32_t next = 0; // ids below it are in
+        for (const auto& [first, last] : ranges) {
+            for (std::uint32_t i = std::max(first, next); i <= last; ++i) result.push_back(H(i));
+            next = std::max(next, last + 1);
         }
         return;
+    }
     case Kind::ends:
         if constexpr (is_edge<H>)
             for (const auto& [a, b] : term.ids) result.push_back(edge_between(mesh, a, b));
@@ -257,9 +263,15 @@ template <class H>
 std::vector<H> Selector<H>::resolve(const Scene& scene) const
 {
     std::vector<H> result;
-    for (const SelectorTerm& term : terms_) add_term(scene, term, result);
-    if (!std::ranges::is_sorted(result)) std::ranges::sort(result);
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    const auto settle = [&result] {
+        if (!std::ranges::is_sorted(result)) std::ranges::sort(result);
+        result.erase(std::unique(result.begin(), result.end()), result.end());
+    };
+    for (const SelectorTerm& term : terms_) {
+        add_term(scene, term, result);
+        if (result.size() > 2 * std::size_t(count<H>(scene.mesh))) settle(); // what is named again and again takes no more room
+    }
+    settle();
     return result;
 }
 

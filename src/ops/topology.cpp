@@ -55,6 +55,12 @@ struct CreateVertex {
     Point at{0.0};
 };
 
+void create_vertex(Scene& scene, const CreateVertex& p, Context&)
+{
+    if (!is_in_reach(p.at)) throw CommandError(fmt::format("at: expected coordinates of at most {} in size", largest_coordinate));
+    scene.mesh.create_vertex(p.at);
+}
+
 struct DeleteVertices {
     VertexSelector vertices;
 };
@@ -93,7 +99,7 @@ void register_topology(Registry& registry)
                      .required()
                      .example("topology.create_vertex at=0,0,2")
                      .cites(source)
-                     .run([](Scene& scene, const CreateVertex& p, Context&) { scene.mesh.create_vertex(p.at); }));
+                     .run(create_vertex));
     registry.add(define<DeleteVertices>("topology.delete_vertex", "Delete point spheres")
                      .param(&DeleteVertices::vertices, "vertices", "vertices without edges")
                      .example("topology.delete_vertex vertices=valence:0")

@@ -145,7 +145,7 @@ TEST(Check, NamesAPositionThatIsNotFinite)
                                  p[k] = bad;
                                  m.vertex_position.set(6, p);
                              }),
-                      "vertex 6: its position is not finite");
+                      "vertex 6: its position lies beyond 1e+38");
 }
 
 TEST(Check, NamesAVertexCornerOfAnotherVertex)

@@ -333,7 +333,7 @@ TEST(Make, RefusesWhatIsOutOfRange)
     EXPECT_EQ(refuses("make.torus", "nu", "2"), "expected 3 to 4096 (an integer)");
     EXPECT_EQ(refuses("make.torus", "minor", "1"), "minor=1: expected less than major=1");
     EXPECT_EQ(refuses("make.geodesic", "frequency", "129"), "expected 1 to 128 (an integer)");
-    EXPECT_EQ(refuses("make.dodecahedron", "size", "1.7e308"), "the shape is too large: its coordinates are not finite");
+    EXPECT_EQ(refuses("make.dodecahedron", "size", "1.7e308"), "the shape is too large: it reaches beyond 1e+38");
 }
 
 TEST(Make, CanBeStopped)

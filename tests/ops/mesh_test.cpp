@@ -112,7 +112,7 @@ TEST(Transform, RefusesZeroScaleTwoFactorsAndWhatDoesNotStayFinite)
     EXPECT_EQ(refuses("about", "middle"), "expected a point x,y,z, or origin or center");
     Mesh far = cube();
     far.set_position(Vertex(3), Point(1e308, 0, 0));
-    EXPECT_EQ(complaint(scene_of(far), "mesh.transform", {{"scale", "10"}}), "vertex 3 would not stay finite");
+    EXPECT_EQ(complaint(scene_of(far), "mesh.transform", {{"scale", "10"}}), "vertex 3 would lie beyond 1e+38");
 }
 
 } // namespace

@@ -35,6 +35,8 @@ TEST(FaceSelector, TakesIdsRangesAndSums)
     EXPECT_EQ(chosen(scene, "none"), Ids());
     EXPECT_EQ(chosen(scene, "4,0,2-3"), (Ids{0, 2, 3, 4}));
     EXPECT_EQ(chosen(scene, "5+1,5+none+0-1"), (Ids{0, 1, 5}));
+    EXPECT_EQ(chosen(scene, "1-4,0-2,2,3-5,1-4"), (Ids{0, 1, 2, 3, 4, 5}));
+    EXPECT_EQ(chosen(scene, "all+all+all+0-5+all+2"), (Ids{0, 1, 2, 3, 4, 5}));
 }
 
 TEST(FaceSelector, TakesGroupsSidesComponentsAndNormals)
