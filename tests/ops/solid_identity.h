@@ -30,7 +30,10 @@ inline std::string configuration(std::vector<int> sides)
             best = std::min(best, sides);
         }
     std::string text;
-    for (const int n : best) text += (text.empty() ? "" : ".") + std::to_string(n);
+    for (const int n : best) {
+        if (!text.empty()) text += '.';
+        text += std::to_string(n);
+    }
     return text;
 }
 
