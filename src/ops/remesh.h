@@ -35,6 +35,19 @@ std::uint32_t walk(const OldMesh& old, std::uint32_t c, std::index_sequence<I...
     return c;
 }
 
+template <Way way>
+std::uint32_t walk(const OldMesh& old, std::uint32_t c)
+{
+    return walk<way>(old, c, std::make_index_sequence<way.size>());
+}
+/// The side at the end of a way. The sides of an edge are neighbours, so the last step across costs nothing.
+template <Way way>
+std::uint32_t side_after(const OldMesh& old, std::uint32_t c)
+{
+    if constexpr (way.size > 0 && way.steps[way.size - 1] == across) return old.side(walk<way.then(across)>(old, c)) ^ 1u;
+    else return old.side(walk<way>(old, c));
+}
+
 /// Builds what a scheme makes of a mesh: all connectivity, numbering and groups, in one pass over the old corners. Ids and
 /// references are sums of counts that the old corners know; nothing is searched.
 ///
@@ -44,6 +57,7 @@ template <const Scheme& scheme>
 class Builder {
     static constexpr Links links = find_links(scheme);
     static_assert(links.complete, "a scheme each side of which meets one other");
+    static constexpr Uses uses = find_uses(scheme, links);
 
     // Sizes for each old corner, and whether (1) a face, edge or vertex has a polygon of its own.
     static constexpr std::uint32_t face_part = polygon_of(scheme, face_layout).size, face_polygon = face_part > 0;
@@ -76,7 +90,7 @@ public:
     void connect()
     {
         if constexpr (vertex_part > 0) old_.order_around();
-        std::fill_n(tables_.vertex_corner, vertices_, Corner());
+        if constexpr (!uses.vertices_known) std::fill_n(tables_.vertex_corner, vertices_, Corner());
         const std::uint32_t all = growth(scheme) * corners_;
         auto report = [&, reported = std::uint32_t(0)](std::uint32_t done) mutable {
             if (done - reported < (1u << 17)) return;
@@ -136,38 +150,63 @@ private:
         return groups_ == RemeshGroups::keep ? static_cast<std::uint32_t>(old_.group(face)) : 0;
     }
 
-    template <Way way>
-    std::uint32_t walk_from(std::uint32_t c) const
-    {
-        return walk<way>(old_, c, std::make_index_sequence<way.size>());
-    }
-
     template <std::size_t layout, std::size_t place>
     std::uint32_t vertex_of(std::uint32_t c) const
     {
         constexpr Name name = polygon_of(scheme, layout).names[place];
-        const std::uint32_t there = walk_from<name.way>(c), first = first_vertex_[std::size_t(name.kind)];
+        const std::uint32_t first = first_vertex_[std::size_t(name.kind)];
         switch (name.kind) {
-        case Kind::old_vertex: return first + old_.vertex(there);
-        case Kind::edge_point: return first + old_.edge(there);
-        case Kind::side_point: return first + old_.side(there);
-        case Kind::face_point: return first + old_.face(there);
-        default: return first + there;
+        case Kind::old_vertex: return first + old_.vertex(walk<name.way>(old_, c));
+        case Kind::edge_point: return first + (side_after<name.way>(old_, c) >> 1);
+        case Kind::side_point: return first + side_after<name.way>(old_, c);
+        case Kind::face_point: return first + old_.face(walk<name.way>(old_, c));
+        default: return first + walk<name.way>(old_, c);
         }
     }
 
-    /// The number of a new corner, and of its face.
-    template <std::size_t layout>
+    /// Numbers what each layout has so many of, in the order of the layouts: `count` of a layout for each old corner.
+    template <class Count>
+    struct Numbering {
+        static constexpr std::uint32_t in_face = Count::of(face_layout), in_edge = Count::of(edge_layout);
+        static constexpr std::uint32_t in_corners = Count::of(corner_layout) + Count::of(corner_layout + 1) + Count::of(corner_layout + 2);
+        static constexpr std::uint32_t at_sides = Count::of(side_layout) + Count::of(side_layout + 1);
+
+        /// The first one that the corner at the end of a way from c has.
+        template <std::size_t layout, Way way>
+        static std::uint32_t at(const OldMesh& old, std::uint32_t c)
+        {
+            constexpr auto before = [](std::size_t first) {
+                std::uint32_t sum = 0;
+                for (std::size_t l = first; l < layout; ++l) sum += Count::of(l);
+                return sum;
+            };
+            const std::uint32_t edges = (in_face + in_corners) * old.corners();
+            if constexpr (layout < edge_layout) {
+                c = walk<way>(old, c);
+                if constexpr (layout == face_layout) return in_corners > 0 ? in_corners * old.begin(old.face(c)) + in_face * c : in_face * c;
+                else return (in_face > 0 ? in_face * old.end(old.face(c)) : 0) + in_corners * c + before(corner_layout);
+            } else if constexpr (layout == edge_layout) return edges + in_edge * side_after<way>(old, c);
+            else if constexpr (layout < vertex_layout) return edges + at_sides * side_after<way>(old, c) + before(side_layout);
+            else return edges + (in_edge + at_sides) * old.corners() + Count::of(layout) * old.place_around(walk<way>(old, c));
+        }
+    };
+    struct Corners {
+        static constexpr std::uint32_t of(std::size_t layout) { return static_cast<std::uint32_t>(polygon_of(scheme, layout).size); }
+    };
+    struct FirstUses {
+        static constexpr std::uint32_t of(std::size_t layout) { return static_cast<std::uint32_t>(first_uses(uses, scheme, layout)); }
+    };
+
+    /// The number of the new corner at a place, seen from the end of a way, and of the edge that it is the first to use.
+    template <std::size_t layout, Way way = Way()>
     std::uint32_t corner_at(std::uint32_t c, std::uint32_t place) const
     {
-        if constexpr (layout == face_layout) return at_corner * old_.begin(old_.face(c)) + face_part * c + place;
-        else if constexpr (layout < edge_layout) {
-            const std::uint32_t inside = face_part > 0 ? face_part * old_.end(old_.face(c)) : 0;
-            return inside + at_corner * c + static_cast<std::uint32_t>(size_of(scheme, corner_layout, layout)) + place;
-        } else if constexpr (layout == edge_layout) return edge_corners_ + edge_part * old_.side(c) + place;
-        else if constexpr (layout < vertex_layout)
-            return edge_corners_ + at_side * old_.side(c) + static_cast<std::uint32_t>(size_of(scheme, side_layout, layout)) + place;
-        else return vertex_corners_ + vertex_part * old_.place_around(c) + place;
+        return Numbering<Corners>::template at<layout, way>(old_, c) + place;
+    }
+    template <std::size_t layout, std::size_t place, Way way = Way()>
+    std::uint32_t edge_at(std::uint32_t c) const
+    {
+        return Numbering<FirstUses>::template at<layout, way>(old_, c) + static_cast<std::uint32_t>(first_uses(uses, scheme, layout, place));
     }
     template <std::size_t layout>
     std::uint32_t face_of(std::uint32_t c) const
@@ -185,17 +224,23 @@ private:
     template <std::size_t layout, std::size_t place>
     void write_corner(std::uint32_t c, std::uint32_t made, Face face)
     {
-        constexpr Link link = links.of[layout][place];
         const std::uint32_t v = vertex_of<layout, place>(c);
-        const std::uint32_t other = corner_at<link.layout>(walk_from<link.way>(c), static_cast<std::uint32_t>(link.place));
         tables_.vertex[made] = Vertex(v);
         tables_.face[made] = face;
-        if (!tables_.vertex_corner[v].valid()) tables_.vertex_corner[v] = Corner(made);
-        if (other < made) {
-            tables_.edge[made] = tables_.edge[other];
+        constexpr Use naming = uses.vertex[layout][place];
+        if (naming == Use::first || (naming == Use::depends && !tables_.vertex_corner[v].valid())) tables_.vertex_corner[v] = Corner(made);
+
+        constexpr Link link = links.of[layout][place];
+        constexpr Use use = uses.edge[layout][place];
+        const auto other = [&] { return corner_at<link.layout, link.way>(c, static_cast<std::uint32_t>(link.place)); };
+        if constexpr (uses.edges_known && use == Use::later) {
+            tables_.edge[made] = Edge(edge_at<link.layout, link.place, link.way>(c));
+        } else if (use == Use::later || (use == Use::depends && other() < made)) {
+            tables_.edge[made] = tables_.edge[other()];
         } else {
-            tables_.edge_corners[edges_] = {Corner(made), Corner(other)};
-            tables_.edge[made] = Edge(edges_++);
+            const std::uint32_t e = uses.edges_known ? edge_at<layout, place>(c) : edges_++;
+            tables_.edge_corners[e] = {Corner(made), Corner(other())};
+            tables_.edge[made] = Edge(e);
         }
     }
 
@@ -229,7 +274,7 @@ private:
         constexpr std::uint32_t size = polygon_of(scheme, layout).size;
         if constexpr (size > 0) {
             const Face face(face_of<layout>(c));
-            const std::uint32_t first = corner_at<layout>(c, 0), after = corner_at<layout>(walk_from<next_part(layout)>(c), 0);
+            const std::uint32_t first = corner_at<layout>(c, 0), after = corner_at<layout, next_part(layout)>(c, 0);
             if (is_first) write_face(face, first, polygon_of(scheme, layout).group, kept_group);
             [&]<std::size_t... I>(std::index_sequence<I...>) {
                 (write_corner<layout, I>(c, first + std::uint32_t(I), face), ...);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace druse::remesh {
 
@@ -88,8 +89,7 @@ void OldMesh::read_in_order()
 void OldMesh::renumber()
 {
     const MeshTables::View view = MeshTables::view(mesh_);
-    Column<std::uint32_t> number;
-    std::uint32_t* const number_of = room(number, corners());
+    std::uint32_t* const number_of = room(number_, corners());
     std::uint32_t* const begin = room(begin_, faces() + 1);
     Vertex* const vertex = room(own_vertex_, corners());
     Face* const face = room(own_face_, corners());
@@ -137,24 +137,28 @@ void OldMesh::order_around()
 {
     std::uint32_t* const place = room(place_around_, corners());
     std::uint32_t* const order = room(corner_around_, corners());
-    Column<std::uint32_t> firsts;
-    std::uint32_t* const first = room(firsts, vertices());
-    for (std::uint32_t c = corners(); c > 0; --c) first[vertex(c - 1)] = c - 1;
+    std::vector<std::uint32_t> ring; // the corners of a vertex, from any one on
     std::uint32_t at = 0;
     for (std::uint32_t v = 0; v < vertices(); ++v) {
-        std::uint32_t start = first[v], c = start;
+        const std::uint32_t first = number_.size() > 0 ? number_[mesh_.corner(Vertex(v)).index] : mesh_.corner(Vertex(v)).index;
+        ring.clear();
+        std::size_t start = 0;
+        std::uint32_t least = ~std::uint32_t(0), c = first;
         do {
             // Of several edges to the same neighbour the one with the lowest id counts.
-            const std::uint32_t there = vertex(on(c)), best = vertex(on(start));
-            if (there < best || (there == best && edge(c) < edge(start))) start = c;
+            const std::uint32_t there = vertex(on(c));
+            if (there < least || (there == least && edge(c) < edge(ring[start]))) {
+                start = ring.size();
+                least = there;
+            }
+            ring.push_back(c);
             c = around(c);
-        } while (c != first[v]);
-        c = start;
-        do {
-            place[c] = at;
-            order[at++] = c;
-            c = around(c);
-        } while (c != start);
+        } while (c != first);
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const std::uint32_t next = ring[start + i < ring.size() ? start + i : start + i - ring.size()];
+            place[next] = at;
+            order[at++] = next;
+        }
     }
 }
 

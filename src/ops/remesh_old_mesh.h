@@ -66,7 +66,8 @@ private:
     std::span<const std::array<Corner, 2>> corner_of_side_;
     Column<std::uint32_t> begin_, across_, side_, valence_, place_around_, corner_around_;
 
-    // Own columns, where the mesh's corners come in another order.
+    // Own columns, where the mesh's corners come in another order; and the number of each of them in ours.
+    Column<std::uint32_t> number_;
     Column<Vertex> own_vertex_;
     Column<Face> own_face_;
     Column<Corner> own_next_, own_previous_;

@@ -62,11 +62,7 @@ void write_face_means(const OldMesh& old, Point* to, Progress& progress)
 void write_relaxed_vertices(const OldMesh& old, double (*weight)(int m), Point* to)
 {
     std::fill_n(to, old.vertices(), Point(0.0));
-    for (std::uint32_t side = 0; side < old.corners(); side += 2) {
-        const std::uint32_t v = old.vertex(old.corner_of_side(side)), w = old.vertex(old.corner_of_side(side + 1));
-        to[v] += old.positions()[w];
-        to[w] += old.positions()[v];
-    }
+    for (std::uint32_t c = 0; c < old.corners(); ++c) to[old.vertex(c)] += old.position(old.on(c));
     std::vector<double> known; // weights by valence, NaN where not asked for yet
     for (std::uint32_t v = 0; v < old.vertices(); ++v) {
         const std::uint32_t m = old.valence(v);

@@ -268,4 +268,72 @@ constexpr Links find_links(const Scheme& s)
     return links;
 }
 
+// --- which corner is the first to use an edge, or to name a vertex -----------------------------------------------------------------
+
+/// Of the places where something is used: before all others, after another one, or as the mesh has it.
+enum class Use : unsigned char { first, later, depends };
+
+struct Uses {
+    std::array<std::array<Use, 6>, layouts> edge{}, vertex{}; // by layout and place
+    bool edges_known = true, vertices_known = true;           // none depends on the mesh
+};
+
+/// Polygons in faces are numbered before those over edges, and these before those over vertices.
+constexpr int stage(std::size_t layout) { return layout < edge_layout ? 0 : layout < vertex_layout ? 1 : 2; }
+constexpr bool stays_in_face(const Way& way)
+{
+    for (std::size_t i = 0; i < way.size; ++i)
+        if (way.steps[i] == across) return false;
+    return true;
+}
+
+constexpr Use use_of_edge(std::size_t layout, const Link& link)
+{
+    if (stage(layout) != stage(link.layout)) return stage(layout) < stage(link.layout) ? Use::first : Use::later;
+    // In a face, the polygon inside comes before those in the corners.
+    if (stays_in_face(link.way) && (layout == face_layout) != (link.layout == face_layout)) return layout == face_layout ? Use::first : Use::later;
+    return Use::depends;
+}
+
+constexpr Use use_of_vertex(const Scheme& s, std::size_t layout, std::size_t place)
+{
+    const Name& name = polygon_of(s, layout).names[place];
+    const bool one_each = name.kind == Kind::side_point || name.kind == Kind::corner_point || name.kind == Kind::outer_point;
+    std::size_t places = 0, of_faces = 0;
+    bool in_faces = true;
+    for (std::size_t l = 0; l < layouts; ++l)
+        for (std::size_t i = 0; i < polygon_of(s, l).size; ++i) {
+            const Name& other = polygon_of(s, l).names[i];
+            if (other.kind != name.kind || stage(l) > stage(layout)) continue;
+            if (stage(l) < stage(layout)) return Use::later; // every place names all of a kind
+            ++places;
+            of_faces += l == face_layout ? 1 : 0;
+            in_faces = in_faces && stage(l) == 0 && stays_in_face(other.way);
+        }
+    if (one_each && places == 1) return Use::first;
+    if (one_each && in_faces && of_faces == 1) return layout == face_layout ? Use::first : Use::later;
+    return Use::depends;
+}
+
+constexpr Uses find_uses(const Scheme& s, const Links& links)
+{
+    Uses uses;
+    for (std::size_t layout = 0; layout < layouts; ++layout)
+        for (std::size_t place = 0; place < polygon_of(s, layout).size; ++place) {
+            uses.edge[layout][place] = use_of_edge(layout, links.of[layout][place]);
+            uses.vertex[layout][place] = use_of_vertex(s, layout, place);
+            uses.edges_known = uses.edges_known && uses.edge[layout][place] != Use::depends;
+            uses.vertices_known = uses.vertices_known && uses.vertex[layout][place] != Use::depends;
+        }
+    return uses;
+}
+
+/// How many places of a layout, before one of them, are the first to use their edge.
+constexpr std::size_t first_uses(const Uses& uses, const Scheme& s, std::size_t layout, std::size_t before = 6)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < polygon_of(s, layout).size && i < before; ++i) count += uses.edge[layout][i] == Use::first ? 1 : 0;
+    return count;
+}
+
 } // namespace druse::remesh
