@@ -24,7 +24,14 @@ BoxTree::LocalRay::LocalRay(const BoxTree& tree, const Point& from, const Vector
 {
 }
 
-BoxTree::BoxTree(std::span<const Box> boxes, Progress& progress, double share)
+struct BoxTree::Building {
+    std::span<const Box> boxes;
+    std::span<Item> items;
+    Progress& progress;
+    double from, to;
+};
+
+BoxTree::BoxTree(std::span<const Box> boxes, Progress& progress, double from, double to)
 {
     if (boxes.empty()) return;
     Box all;
@@ -48,7 +55,7 @@ BoxTree::BoxTree(std::span<const Box> boxes, Progress& progress, double share)
         for (std::size_t k = 0; k < 3; ++k) items[i].centre[k] = s.min[k] + s.max[k];
         items[i].box = i;
     }
-    build(items, 1, 0, boxes, progress, share);
+    build({boxes, items, progress, from, to}, 1, 0);
 }
 
 BoxTree::Small BoxTree::small(const Box& box) const
@@ -61,21 +68,22 @@ BoxTree::Small BoxTree::small(const Box& box) const
     return s;
 }
 
-void BoxTree::build(std::span<Item> items, std::uint32_t node, std::uint32_t depth, std::span<const Box> boxes, Progress& progress, double share)
+void BoxTree::build(const Building& b, std::uint32_t node, std::uint32_t depth)
 {
     const std::uint32_t at = node - (1u << depth); // among the nodes of its level
     const std::uint32_t begin = place(at, 1u << depth), end = place(at + 1, 1u << depth);
-    if (end - begin > 1000) progress.step(share * begin / order_.size());
+    const std::span<Item> items = b.items.subspan(begin, end - begin);
+    if (items.size() > 1000) b.progress.step(b.from + (b.to - b.from) * begin / double(order_.size()));
     if (node >= leaves_) {
         for (std::uint32_t k = begin; k < end; ++k) {
-            order_[k] = items[k].box;
-            boxes_[k] = small(boxes[order_[k]]);
+            order_[k] = b.items[k].box;
+            boxes_[k] = small(b.boxes[order_[k]]);
             nodes_[node].add(boxes_[k]);
         }
         return;
     }
-    std::array<float, 3> least = items[begin].centre, most = least;
-    for (const Item& item : items.subspan(begin, end - begin))
+    std::array<float, 3> least = items[0].centre, most = least;
+    for (const Item& item : items)
         for (std::size_t k = 0; k < 3; ++k) {
             least[k] = std::min(least[k], item.centre[k]);
             most[k] = std::max(most[k], item.centre[k]);
@@ -84,11 +92,11 @@ void BoxTree::build(std::span<Item> items, std::uint32_t node, std::uint32_t dep
     for (std::size_t k = 1; k < 3; ++k)
         if (most[k] - least[k] > most[axis] - least[axis]) axis = k;
     const std::uint32_t middle = place(2 * at + 1, 2u << depth);
-    std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end, [axis](const Item& a, const Item& b) {
-        return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.box < b.box;
+    std::nth_element(items.begin(), items.begin() + (middle - begin), items.end(), [axis](const Item& i, const Item& j) {
+        return i.centre[axis] != j.centre[axis] ? i.centre[axis] < j.centre[axis] : i.box < j.box;
     });
-    build(items, 2 * node, depth + 1, boxes, progress, share);
-    build(items, 2 * node + 1, depth + 1, boxes, progress, share);
+    build(b, 2 * node, depth + 1);
+    build(b, 2 * node + 1, depth + 1);
     nodes_[node] = nodes_[2 * node];
     nodes_[node].add(nodes_[2 * node + 1]);
 }

@@ -22,9 +22,9 @@ namespace druse {
 class BoxTree {
 public:
     BoxTree() = default;
-    /// Preconditions: boxes are finite and not empty, fewer than 2^31. Reports its part of the work as 0 to `share`.
+    /// Preconditions: boxes are finite and not empty, fewer than 2^31. Reports its part of the work as `from` to `to`.
     /// @throws Cancelled
-    BoxTree(std::span<const Box> boxes, Progress& progress, double share);
+    BoxTree(std::span<const Box> boxes, Progress& progress, double from, double to);
 
     /// Calls f(i, j) for every two boxes that overlap or touch, once for each pair, and possibly for some that nearly do, until it
     /// returns false. Reports its part of the work as `from` to 1. Cost: O(n) and what it tells, for the surfaces of solids. @throws Cancelled
@@ -135,7 +135,8 @@ private:
     };
 
     Small small(const Box& box) const;
-    void build(std::span<Item> items, std::uint32_t node, std::uint32_t depth, std::span<const Box> boxes, Progress& progress, double share);
+    struct Building;
+    void build(const Building& b, std::uint32_t node, std::uint32_t depth);
 
     /// The boxes of leaf k are those from k n / leaves to (k + 1) n / leaves, in the order of the tree.
     std::uint32_t begin_of(std::uint32_t leaf) const { return place(leaf - leaves_, leaves_); }

@@ -27,7 +27,7 @@ bool overlap(const Box& a, const Box& b)
 Pairs told(const std::vector<Box>& boxes)
 {
     Progress progress;
-    const BoxTree tree(boxes, progress, 0.5);
+    const BoxTree tree(boxes, progress, 0, 0.5);
     Pairs pairs;
     tree.for_each_pair(progress, 0.5, [&](std::uint32_t i, std::uint32_t j) {
         EXPECT_TRUE(pairs.emplace(std::min(i, j), std::max(i, j)).second) << i << " and " << j << " are told twice";
@@ -94,7 +94,7 @@ TEST(BoxTree, StopsWhenTold)
 {
     Progress progress;
     const std::vector<Box> boxes(1000, box(Point(0), Vector(1)));
-    const BoxTree tree(boxes, progress, 0.5);
+    const BoxTree tree(boxes, progress, 0, 0.5);
     int calls = 0;
     tree.for_each_pair(progress, 0.5, [&](std::uint32_t, std::uint32_t) { return ++calls < 10; });
     EXPECT_EQ(calls, 10);
@@ -104,21 +104,21 @@ TEST(BoxTree, StopsWhenCancelled)
 {
     Progress progress;
     const std::vector<Box> boxes = random_boxes(5000, 0.5, 5);
-    const BoxTree tree(boxes, progress, 0.5);
+    const BoxTree tree(boxes, progress, 0, 0.5);
     int calls = 0;
     EXPECT_THROW(tree.for_each_pair(progress, 0.5, [&](std::uint32_t, std::uint32_t) {
         if (++calls == 100) progress.cancel();
         return true;
     }), Cancelled);
     EXPECT_LT(calls, 100000); // of some millions
-    EXPECT_THROW(BoxTree(boxes, progress, 0.5), Cancelled);
+    EXPECT_THROW(BoxTree(boxes, progress, 0, 0.5), Cancelled);
 }
 
 TEST(BoxTree, TellsTheBoxesOnARay)
 {
     const std::vector<Box> boxes = random_boxes(500, 0.2, 6);
     Progress progress;
-    const BoxTree tree(boxes, progress, 1);
+    const BoxTree tree(boxes, progress, 0, 1);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(-0.5, 1.5);
     for (int i = 0; i < 200; ++i) {
@@ -143,7 +143,7 @@ TEST(BoxTree, LooksNoFartherThanTheReach)
     std::vector<Box> boxes;
     for (int i = 0; i < 1000; ++i) boxes.push_back(box(Point(i, 0, 0), Vector(0.5)));
     Progress progress;
-    const BoxTree tree(boxes, progress, 1);
+    const BoxTree tree(boxes, progress, 0, 1);
     std::set<std::uint32_t> met;
     tree.for_each_on_ray(Point(-1, 0.25, 0.25), Vector(1, 0, 0), 1e9, [&](std::uint32_t k, double& reach) {
         met.insert(k);
