@@ -4,7 +4,7 @@
 #include "geom/progress.h"
 #include "ops/remesh.h"
 
-#include <span>
+#include <vector>
 
 namespace druse {
 

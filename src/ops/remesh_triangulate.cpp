@@ -3,7 +3,11 @@
 #include "ops/remesh_divide.h"
 #include "ops/remesh_points.h"
 
+#include <algorithm>
+#include <functional>
 #include <queue>
+#include <utility>
+#include <vector>
 
 namespace druse {
 
@@ -87,11 +91,20 @@ private:
     bool is_convex(std::uint32_t i) const { return turn(previous_[i], i, next_[i]) > least; }
     bool is_ear(std::uint32_t i) const
     {
-        const std::uint32_t before = previous_[i], after = next_[i];
         if (is_blunt_[i] || !is_convex(i)) return false;
+        const std::uint32_t corners[] = {previous_[i], i, next_[i]};
+        Vector inward[3];
+        double size = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vector side = at(corners[(k + 1) % 3]) - at(corners[k]);
+            size = std::max(size, glm::length(side));
+            inward[k] = glm::cross(normal_, unit(side));
+        }
         for (const std::uint32_t j : blunt_) {
-            if (j == before || j == after) continue;
-            if (turn(before, i, j) >= -least && turn(i, after, j) >= -least && turn(after, before, j) >= -least) return false;
+            if (j == corners[0] || j == corners[2]) continue;
+            bool inside = true;
+            for (std::size_t k = 0; k < 3 && inside; ++k) inside = glm::dot(at(j) - at(corners[k]), inward[k]) >= -least * size;
+            if (inside) return false;
         }
         return true;
     }
