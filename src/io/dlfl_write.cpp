@@ -4,6 +4,7 @@
 #include "dlfl/measures.h"
 #include "io/group_materials.h"
 #include "io/materials.h"
+#include "io/require_faces.h"
 
 #include <fmt/format.h>
 
@@ -128,10 +129,7 @@ void DlflWriter::write()
 void write_dlfl(const ModelView& model, OutputFiles& out)
 {
     ASSERT(!model.mesh.has_holes(), "a mesh without holes");
-    if (model.mesh.face_count() == 0)
-        throw InputError(out.name(), model.graph && !model.graph->edges.empty()
-                                         ? "the document holds a graph and no faces; DLFL holds only faces"
-                                         : "the document holds no faces");
+    require_faces(model, out, "DLFL");
     DlflWriter(model, out).write();
 }
 

@@ -1,5 +1,7 @@
 #include "io/edge_splits.h"
 
+#include <fmt/format.h>
+
 namespace druse {
 
 EdgeSplits::EdgeSplits(const Mesh& mesh)
@@ -32,6 +34,16 @@ EdgeSplits::EdgeSplits(const Mesh& mesh)
             }
         }
     }
+}
+
+void EdgeSplits::note(OutputFiles& out) const
+{
+    const auto note = [&](std::uint32_t count, const char* what) {
+        if (count > 0) out.note(fmt::format("{} {}{} split", count, what, count == 1 ? "" : "s"));
+    };
+    note(parallel_, "parallel edge");
+    note(loops_, "loop");
+    note(lone_, "lone edge");
 }
 
 } // namespace druse

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dlfl/mesh.h"
+#include "io/output_files.h"
 
 #include <cstdint>
 #include <vector>
@@ -16,9 +17,8 @@ public:
     explicit EdgeSplits(const Mesh& mesh);
 
     bool empty() const { return added_.empty(); }
-    std::uint32_t parallel_edges() const { return parallel_; }
-    std::uint32_t loops() const { return loops_; }
-    std::uint32_t lone_edges() const { return lone_; }
+    /// Says how many edges of each kind are split.
+    void note(OutputFiles& out) const;
     const std::vector<Point>& added() const { return added_; }
 
     /// Calls `f` with the number of each vertex along the side that starts at `c`, in its direction.

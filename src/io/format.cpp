@@ -3,6 +3,7 @@
 #include "dlfl/errors.h"
 #include "io/dlfl_file.h"
 #include "io/obj.h"
+#include "io/ply.h"
 #include "io/stl.h"
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@ constexpr Format all_formats[] = {
     {"obj", "Wavefront OBJ", read_obj, write_obj},
     {"stl", "Stereolithography", read_stl, write_stl},
     {"dlfl", "TopMod", read_dlfl, write_dlfl},
+    {"ply", "Polygon File Format", read_ply, write_ply},
 };
 
 std::string extensions()

@@ -5,8 +5,6 @@
 #include "io/group_materials.h"
 #include "io/materials.h"
 
-#include <fmt/format.h>
-
 namespace druse {
 
 namespace {
@@ -72,13 +70,7 @@ void write_obj(const ModelView& model, OutputFiles& out)
         return;
     }
     const EdgeSplits splits(mesh);
-    const auto note = [&](std::uint32_t count, const char* what) {
-        if (count > 0) out.note(fmt::format("{} {}{} split", count, what, count == 1 ? "" : "s"));
-    };
-    note(splits.parallel_edges(), "parallel edge");
-    note(splits.loops(), "loop");
-    note(splits.lone_edges(), "lone edge");
-
+    splits.note(out);
     const std::vector<int> groups = groups_in_use(mesh);
     const std::string library = write_group_materials(model.groups, groups, out);
     if (!library.empty()) sink.put("mtllib " + library + '\n');

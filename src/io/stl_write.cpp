@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "dlfl/triangulate.h"
+#include "io/require_faces.h"
 
 #include <fmt/format.h>
 
@@ -140,10 +141,7 @@ void StlWriter::write()
 void write_stl(const ModelView& model, OutputFiles& out)
 {
     const Mesh& mesh = model.mesh;
-    if (mesh.face_count() == 0)
-        throw InputError(out.name(), model.graph && !model.graph->edges.empty()
-                                         ? "the document holds a graph and no faces; STL holds only faces"
-                                         : "the document holds no faces");
+    require_faces(model, out, "STL");
     StlWriter(mesh, out).write();
     if (mesh.largest_group() > 0) out.note("groups are not saved in STL");
 }

@@ -104,6 +104,8 @@ std::vector<Original> originals()
         {"dlfl_of_lunes", "dlfl", written(three_lunes(), "dlfl").text},
         {"binary_stl", "stl", written(tetrahedron(), "stl").text},
         {"ascii_stl", "stl", written(tetrahedron(), "stl", true).text},
+        {"binary_ply", "ply", written(grouped, "ply").text},
+        {"ascii_ply", "ply", written(grouped, "ply", true).text},
     };
 }
 INSTANTIATE_TEST_SUITE_P(Files, EveryMutation, testing::ValuesIn(originals()), shape_name<testing::TestParamInfo<Original>>);
