@@ -3,6 +3,7 @@
 #include "dlfl/errors.h"
 #include "io/dlfl_file.h"
 #include "io/obj.h"
+#include "io/off.h"
 #include "io/ply.h"
 #include "io/stl.h"
 
@@ -19,6 +20,7 @@ constexpr Format all_formats[] = {
     {"stl", "Stereolithography", read_stl, write_stl},
     {"dlfl", "TopMod", read_dlfl, write_dlfl},
     {"ply", "Polygon File Format", read_ply, write_ply},
+    {"off", "Object File Format", read_off, write_off},
 };
 
 std::string extensions()

@@ -199,6 +199,42 @@ std::vector<Malformed> plys()
 }
 INSTANTIATE_TEST_SUITE_P(Ply, EveryMalformedFile, testing::ValuesIn(plys()));
 
+std::vector<Malformed> offs()
+{
+    const std::string points = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n"; // lines 1 to 5
+    return {
+        {"off", "", ": holds nothing"},
+        {"off", "# nothing\n", ": holds nothing"},
+        {"off", "OBJ\n", ":1: expected OFF, found 'OBJ'"},
+        {"off", "OFF", ": ends before its counts"},
+        {"off", "4OFF\n", ":1: '4OFF': expected vertices in three dimensions"},
+        {"off", "CnOFF\n", ":1: 'CnOFF': expected vertices in three dimensions"},
+        {"off", "OFF BINARY\n", ":1: a binary file; expected one in text"},
+        {"off", "OFF\n3\n", ":2: expected a number, found the end of the line"},
+        {"off", "OFF\n-3 1 0\n", ":2: -3 vertices; expected 0 to 2147483392"},
+        {"off", "OFF\n3 5e9 0\n", ":2: 5000000000 faces; expected 0 to 2147483392"},
+        {"off", "OFF\n3.5 1 0\n", ":2: 3.5 vertices; expected 0 to 2147483392"},
+        {"off", "OFF\n3 0 0\n", ": holds no faces"},
+        {"off", "OFF\n2147483392 1 0\n0 0 0\n", ": ends in vertex 2 of 2147483392"},
+        {"off", points, ": ends in face 1 of 1"},
+        {"off", "OFF\n3 1 0\n0 0\n", ":3: expected a number, found the end of the line"},
+        {"off", "OFF\n3 1 0\n0 0 nan\n", ":3: expected a number, found 'nan'"},
+        {"off", "OFF\n3 1 0\n0 0 -1e39\n", ":3: coordinate -1e+39: expected at most 1e+38 in size"},
+        {"off", "NOFF\n3 1 0\n0 0 0 1 0\n", ":3: expected a number, found the end of the line"},
+        {"off", "OFF\n3 1 0\n0 0 0 1 0\n", ":3: a colour with 2 numbers; expected 3 or 4"},
+        {"off", points + "2 0 1\n", ":6: a face with 2 corners; expected at least 3"},
+        {"off", points + "-3 0 1 2\n", ":6: -3 corners; expected 0 to 2147483392"},
+        {"off", points + "2000000000 0 1 2\n", ":6: expected a number, found the end of the line"},
+        {"off", points + "3 0 1 3\n", ":6: face names vertex 3, the file has 3"},
+        {"off", points + "3 0 1 -1\n", ":6: face names vertex -1, the file has 3"},
+        {"off", points + "3 0 1 2 256 0 0\n", ":6: colour 256: expected 0 to 255"},
+        {"off", points + "3 0 1 2 1.5 0 0\n", ":6: colour 1.5: expected 0 to 1"},
+        {"off", points + "3 0 1 2 1 2 3 4 5\n", ":6: a colour with 5 numbers; expected 3 or 4"},
+        {"off", points + "3 0 1 2 1 2 3 4 5 6 7\n", ":6: a colour with more than 4 numbers"},
+    };
+}
+INSTANTIATE_TEST_SUITE_P(Off, EveryMalformedFile, testing::ValuesIn(offs()));
+
 TEST(MalformedFiles, SayWhatIsWrongWithAMaterialFile)
 {
     const TemporaryFolder folder;
@@ -225,10 +261,10 @@ TEST(MissingFiles, AreNamed)
     put_contents(folder / "a.xyz", "");
     put_contents(folder / "a", "");
     const std::string odd = (folder / "a.xyz").string(), plain = (folder / "a").string();
-    EXPECT_EQ(error_of([&] { read_model(odd); }), odd + ": unknown format 'xyz'; expected obj, stl, dlfl or ply");
+    EXPECT_EQ(error_of([&] { read_model(odd); }), odd + ": unknown format 'xyz'; expected obj, stl, dlfl, ply or off");
     EXPECT_EQ(error_of([&] { read_model(plain); }),
-              plain + ": a name without a format; expected one that ends in obj, stl, dlfl or ply");
-    EXPECT_EQ(error_of([&] { read_text("", "step"); }), "test.step: unknown format 'step'; expected obj, stl, dlfl or ply");
+              plain + ": a name without a format; expected one that ends in obj, stl, dlfl, ply or off");
+    EXPECT_EQ(error_of([&] { read_text("", "step"); }), "test.step: unknown format 'step'; expected obj, stl, dlfl, ply or off");
 }
 
 TEST(Formats, AreKnownInEitherCase)
