@@ -59,24 +59,17 @@ class Builder {
     static_assert(links.complete, "a scheme each side of which meets one other");
     static constexpr Uses uses = find_uses(scheme, links);
 
-    // Sizes for each old corner, and whether (1) a face, edge or vertex has a polygon of its own.
-    static constexpr std::uint32_t face_part = polygon_of(scheme, face_layout).size, face_polygon = face_part > 0;
-    static constexpr std::uint32_t at_corner = size_of(scheme, corner_layout, edge_layout);
-    static constexpr std::uint32_t corner_polygons = count_of(scheme, corner_layout, edge_layout);
-    static constexpr std::uint32_t edge_part = polygon_of(scheme, edge_layout).size, edge_polygon = edge_part > 0;
-    static constexpr std::uint32_t at_side = size_of(scheme, side_layout, vertex_layout);
-    static constexpr std::uint32_t side_polygons = count_of(scheme, side_layout, vertex_layout);
-    static constexpr std::uint32_t vertex_part = polygon_of(scheme, vertex_layout).size;
+    // Sizes for each old corner.
+    static constexpr std::uint32_t face_part = polygon_of(scheme, face_layout).size, edge_part = polygon_of(scheme, edge_layout).size;
+    static constexpr std::uint32_t at_side = size_of(scheme, side_layout, vertex_layout), vertex_part = polygon_of(scheme, vertex_layout).size;
     static_assert(edge_part == 0 || at_side == 0, "either one polygon over each edge or some at each of its sides");
 
 public:
     static constexpr int least_valence = vertex_part > 0 ? 3 : 2;
 
     Builder(OldMesh& old, RemeshGroups groups, Progress& progress)
-        : old_(old), groups_(groups), progress_(progress), corners_(old.corners()), edge_corners_((face_part + at_corner) * corners_),
-          vertex_corners_(edge_corners_ + (edge_part + at_side) * corners_), edge_faces_(face_polygon * old.faces() + corner_polygons * corners_),
-          vertex_faces_(edge_faces_ + edge_polygon * old.edges() + side_polygons * corners_), tables_(counted(), std::uint64_t(growth(scheme)) * corners_ / 2,
-              vertex_faces_ + (vertex_part > 0 ? old.vertices() : 0), std::uint64_t(growth(scheme)) * corners_)
+        : old_(old), groups_(groups), progress_(progress), corners_(old.corners()),
+          tables_(counted(), std::uint64_t(growth(scheme)) * corners_ / 2, new_faces(old), std::uint64_t(growth(scheme)) * corners_)
     {
     }
 
@@ -97,35 +90,48 @@ public:
             reported = done;
             progress_.step(double(done) / all);
         };
+        Cursor at;
         for (std::uint32_t f = 0; f < old_.faces(); ++f) {
-            report((face_part + at_corner) * old_.begin(f));
+            report(at.corner);
             const std::uint32_t begin = old_.begin(f), end = old_.end(f), group = old_group(f);
-            for (std::uint32_t c = begin; c < end && face_part > 0; ++c) write_part<face_layout>(c, c == begin, group);
+            if constexpr (face_part > 0) {
+                const std::uint32_t start = at.corner;
+                for (std::uint32_t c = begin; c < end; ++c) write_part<face_layout>(c, at, c + 1 < end ? at.corner + face_part : start);
+                end_face<face_layout>(at, start, group);
+            }
             for (std::uint32_t c = begin; c < end; ++c) {
-                write_polygon<corner_layout>(c, group);
-                write_polygon<corner_layout + 1>(c, group);
-                write_polygon<corner_layout + 2>(c, group);
+                write_polygon<corner_layout>(c, at, group);
+                write_polygon<corner_layout + 1>(c, at, group);
+                write_polygon<corner_layout + 2>(c, at, group);
             }
         }
         if constexpr (edge_part + at_side > 0)
             for (std::uint32_t side = 0; side < corners_; side += 2) {
-                report(edge_corners_ + (edge_part + at_side) * side);
+                report(at.corner);
                 const std::uint32_t a = old_.corner_of_side(side), b = old_.corner_of_side(side + 1);
-                const std::uint32_t group = old_group(std::min(old_.face(a), old_.face(b)));
+                const std::uint32_t group = groups_ == RemeshGroups::keep ? old_group(std::min(old_.face(a), old_.face(b))) : 0;
+                if constexpr (edge_part > 0) {
+                    const std::uint32_t start = at.corner;
+                    write_part<edge_layout>(a, at, start + edge_part);
+                    write_part<edge_layout>(b, at, start);
+                    end_face<edge_layout>(at, start, group);
+                }
                 for (const std::uint32_t c : {a, b}) {
-                    write_part<edge_layout>(c, c == a, group);
-                    write_polygon<side_layout>(c, group);
-                    write_polygon<side_layout + 1>(c, group);
+                    write_polygon<side_layout>(c, at, group);
+                    write_polygon<side_layout + 1>(c, at, group);
                 }
             }
         if constexpr (vertex_part > 0)
-            for (std::uint32_t at = 0, v = 0; v < old_.vertices(); ++v) {
-                report(vertex_corners_ + vertex_part * at);
-                std::uint32_t face = old_.face(old_.corner_around(at));
-                const std::uint32_t end = at + old_.valence(v);
-                if (groups_ == RemeshGroups::keep)
-                    for (std::uint32_t i = at; i < end; ++i) face = std::min(face, old_.face(old_.corner_around(i)));
-                for (const std::uint32_t begin = at; at < end; ++at) write_part<vertex_layout>(old_.corner_around(at), at == begin, old_group(face));
+            for (std::uint32_t i = 0, v = 0; v < old_.vertices(); ++v) {
+                report(at.corner);
+                const std::uint32_t end = i + old_.valence(v), start = at.corner;
+                std::uint32_t face = ~std::uint32_t(0); // the lowest around
+                for (; i < end; ++i) {
+                    const std::uint32_t c = old_.corner_around(i);
+                    if (groups_ == RemeshGroups::keep) face = std::min(face, old_.face(c));
+                    write_part<vertex_layout>(c, at, i + 1 < end ? at.corner + vertex_part : start);
+                }
+                end_face<vertex_layout>(at, start, old_group(face));
             }
     }
 
@@ -143,6 +149,12 @@ private:
         }
         vertices_ = static_cast<std::uint32_t>(count);
         return count;
+    }
+
+    static std::uint64_t new_faces(const OldMesh& old)
+    {
+        const std::uint64_t at_corners = count_of(scheme, corner_layout, edge_layout) + count_of(scheme, side_layout, vertex_layout);
+        return (face_part > 0 ? old.faces() : 0) + at_corners * old.corners() + (edge_part > 0 ? old.edges() : 0) + (vertex_part > 0 ? old.vertices() : 0);
     }
 
     std::uint32_t old_group(std::uint32_t face) const
@@ -198,27 +210,20 @@ private:
     };
 
     /// The number of the new corner at a place, seen from the end of a way, and of the edge that it is the first to use.
-    template <std::size_t layout, Way way = Way()>
+    template <std::size_t layout, Way way>
     std::uint32_t corner_at(std::uint32_t c, std::uint32_t place) const
     {
         return Numbering<Corners>::template at<layout, way>(old_, c) + place;
     }
-    template <std::size_t layout, std::size_t place, Way way = Way()>
+    template <std::size_t layout, std::size_t place, Way way>
     std::uint32_t edge_at(std::uint32_t c) const
     {
         return Numbering<FirstUses>::template at<layout, way>(old_, c) + static_cast<std::uint32_t>(first_uses(uses, scheme, layout, place));
     }
-    template <std::size_t layout>
-    std::uint32_t face_of(std::uint32_t c) const
-    {
-        if constexpr (layout == face_layout) return old_.face(c) + corner_polygons * old_.begin(old_.face(c));
-        else if constexpr (layout < edge_layout)
-            return (face_polygon > 0 ? old_.face(c) + 1 : 0) + corner_polygons * c + static_cast<std::uint32_t>(count_of(scheme, corner_layout, layout));
-        else if constexpr (layout == edge_layout) return edge_faces_ + old_.edge(c);
-        else if constexpr (layout < vertex_layout)
-            return edge_faces_ + side_polygons * old_.side(c) + static_cast<std::uint32_t>(count_of(scheme, side_layout, layout));
-        else return vertex_faces_ + old_.vertex(c);
-    }
+    /// New corners and faces are written in the order of their numbers: these are the next ones.
+    struct Cursor {
+        std::uint32_t corner = 0, face = 0;
+    };
 
     /// Writes one new corner: its vertex, and its edge if it is the first to use it.
     template <std::size_t layout, std::size_t place>
@@ -238,50 +243,44 @@ private:
         } else if (use == Use::later || (use == Use::depends && other() < made)) {
             tables_.edge[made] = tables_.edge[other()];
         } else {
-            const std::uint32_t e = uses.edges_known ? edge_at<layout, place>(c) : edges_++;
+            const std::uint32_t e = edges_++;
             tables_.edge_corners[e] = {Corner(made), Corner(other())};
             tables_.edge[made] = Edge(e);
         }
     }
 
-    void write_face(Face face, std::uint32_t start, int own_group, std::uint32_t kept_group)
+    template <std::size_t layout>
+    void end_face(Cursor& at, std::uint32_t start, std::uint32_t kept_group)
     {
-        tables_.start[face.index] = Corner(start);
-        tables_.group[face.index] = groups_ == RemeshGroups::absolute ? own_group : static_cast<std::int32_t>(kept_group);
+        tables_.start[at.face] = Corner(start);
+        tables_.group[at.face] = groups_ == RemeshGroups::absolute ? polygon_of(scheme, layout).group : static_cast<std::int32_t>(kept_group);
+        ++at.face;
+    }
+
+    /// What one old corner adds to a polygon; `after` is the new corner that follows.
+    template <std::size_t layout>
+    void write_part(std::uint32_t c, Cursor& at, std::uint32_t after)
+    {
+        constexpr std::uint32_t size = polygon_of(scheme, layout).size;
+        const std::uint32_t first = at.corner;
+        const Face face(at.face);
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            (write_corner<layout, I>(c, first + std::uint32_t(I), face), ...);
+            ((tables_.next[first + I] = Corner(I + 1 < size ? first + std::uint32_t(I) + 1 : after)), ...);
+        }(std::make_index_sequence<size>());
+        for (std::uint32_t i = 1; i < size; ++i) tables_.previous[first + i] = Corner(first + i - 1);
+        tables_.previous[after] = Corner(first + size - 1);
+        at.corner += size;
     }
 
     /// A polygon that one old corner has to itself.
     template <std::size_t layout>
-    void write_polygon(std::uint32_t c, std::uint32_t kept_group)
+    void write_polygon(std::uint32_t c, Cursor& at, std::uint32_t kept_group)
     {
-        constexpr std::uint32_t size = polygon_of(scheme, layout).size;
-        if constexpr (size > 0) {
-            const Face face(face_of<layout>(c));
-            const std::uint32_t first = corner_at<layout>(c, 0);
-            write_face(face, first, polygon_of(scheme, layout).group, kept_group);
-            [&]<std::size_t... I>(std::index_sequence<I...>) {
-                (write_corner<layout, I>(c, first + std::uint32_t(I), face), ...);
-                ((tables_.next[first + I] = Corner(first + (I + 1 < size ? std::uint32_t(I) + 1 : 0))), ...);
-                ((tables_.previous[first + I] = Corner(first + (I > 0 ? std::uint32_t(I) : size) - 1)), ...);
-            }(std::make_index_sequence<size>());
-        }
-    }
-
-    /// What one old corner adds to a polygon of several.
-    template <std::size_t layout>
-    void write_part(std::uint32_t c, bool is_first, std::uint32_t kept_group)
-    {
-        constexpr std::uint32_t size = polygon_of(scheme, layout).size;
-        if constexpr (size > 0) {
-            const Face face(face_of<layout>(c));
-            const std::uint32_t first = corner_at<layout>(c, 0), after = corner_at<layout, next_part(layout)>(c, 0);
-            if (is_first) write_face(face, first, polygon_of(scheme, layout).group, kept_group);
-            [&]<std::size_t... I>(std::index_sequence<I...>) {
-                (write_corner<layout, I>(c, first + std::uint32_t(I), face), ...);
-                ((tables_.next[first + I] = Corner(I + 1 < size ? first + std::uint32_t(I) + 1 : after)), ...);
-            }(std::make_index_sequence<size>());
-            for (std::uint32_t i = 1; i < size; ++i) tables_.previous[first + i] = Corner(first + i - 1);
-            tables_.previous[after] = Corner(first + size - 1);
+        if constexpr (polygon_of(scheme, layout).size > 0) {
+            const std::uint32_t start = at.corner;
+            write_part<layout>(c, at, start);
+            end_face<layout>(at, start, kept_group);
         }
     }
 
@@ -289,8 +288,6 @@ private:
     RemeshGroups groups_;
     Progress& progress_;
     std::uint32_t corners_;
-    std::uint32_t edge_corners_, vertex_corners_; // the first corner that comes from an edge, from a vertex
-    std::uint32_t edge_faces_, vertex_faces_;     // and the first face
     std::uint32_t first_vertex_[kinds], vertices_ = 0, edges_ = 0;
     MeshTables tables_;
 };
