@@ -18,7 +18,7 @@
 namespace druse::ui {
 
 ParameterPanel::ParameterPanel(Session& session, Pictures& pictures, int x, int y, int w, int h)
-    : Panel(x, y, w, h), session_(session), pictures_(pictures), live_(0, 0, 1, 1, "live"), presets_(0, 0, 1, 1, "presets"), apply_(0, 0, 1, 1, "Apply"),
+    : Panel(x, y, w, h), session_(session), pictures_(pictures), picture_("Choose a solid…"), live_(0, 0, 1, 1, "live"), presets_(0, 0, 1, 1, "presets…"), apply_(0, 0, 1, 1, "Apply"),
       reset_(0, 0, 1, 1, "Reset"), help_(0, 0, 1, 1, "?")
 {
     end();
@@ -33,6 +33,13 @@ ParameterPanel::ParameterPanel(Session& session, Pictures& pictures, int x, int 
     apply_.labelcolor(theme().on_accent);
     reset_.color(theme().raised);
     reset_.tooltip("Go back to the defaults");
+    picture_.labeltype(FL_NO_LABEL);
+    picture_.find = [this]() -> Fl_RGB_Image* {
+        if (!shown_) return nullptr;
+        const Parameter* solid = solid_parameter(*shown_);
+        return pictures_.find(*shown_, solid ? session_.arguments().text(solid->name) : std::string(), layout().header_picture());
+    };
+    picture_.callback([](Fl_Widget*, void* p) { static_cast<ParameterPanel*>(p)->choose_solid_for_shown(); }, this);
     presets_.box(FL_FLAT_BOX);
     presets_.color(theme().header);
     presets_.labelcolor(theme().faint_text);
@@ -67,7 +74,8 @@ void ParameterPanel::arrange()
     apply_.resize(left + live, bottom, width, l.button_height());
     reset_.resize(apply_.x() + width + l.gap(), bottom, width, l.button_height());
     help_.resize(left + inner - help, bottom, help, l.button_height());
-    presets_.resize(x() + w() - l.margin() - l.px(56), y() + l.px(2), l.px(56), l.header_height() - l.px(4));
+    picture_.resize(x() + w() - l.gap() - l.header_picture(), y() + l.header_height() + l.px(1), l.header_picture(), l.header_picture());
+    presets_.resize(x() + w() - l.margin() - l.px(64), y() + l.px(2), l.px(64), l.header_height() - l.px(4));
 }
 
 void ParameterPanel::draw()
@@ -83,13 +91,7 @@ void ParameterPanel::draw()
     draw_text(shown_ ? shown_->title() : "No operator", left, y(), title, l.header_height(), theme().text);
     draw_child(presets_);
     fl_font(FL_HELVETICA, l.small_font());
-    int room = inner;
-    if (shown_ && shown_->family() == "extrude") {
-        const Parameter* solid = solid_parameter(*shown_);
-        if (Fl_RGB_Image* picture = pictures_.find(*shown_, solid ? session_.arguments().text(solid->name) : std::string(), l.header_picture()))
-            picture->draw(x() + w() - l.gap() - picture->w(), y() + l.header_height() + l.px(1));
-        room -= l.header_picture();
-    }
+    const int room = inner - (picture_.visible() ? picture_.w() : 0);
     const std::string text = shown_ ? shown_->help : "Choose one in the list above.";
     fl_color(theme().faint_text);
     fl_draw(text.c_str(), left, y() + l.header_height() + l.gap() / 2, room, 2 * l.line_height() - l.gap(),
@@ -115,6 +117,9 @@ void ParameterPanel::refresh()
     }
     live_.value(session_.live() ? 1 : 0);
     for (Fl_Widget* button : std::initializer_list<Fl_Widget*>{&live_, &presets_, &apply_, &reset_, &help_}) shown_ ? button->show() : button->hide();
+    shown_ && shown_->family() == "extrude" ? picture_.show() : picture_.hide();
+    picture_.tooltip(shown_ && solid_parameter(*shown_) ? "Choose another solid" : nullptr);
+    picture_.redraw();
 }
 
 /// Rows that can stay do so: one of them may be where the change comes from, and hold the keyboard.
@@ -133,7 +138,8 @@ void ParameterPanel::make_rows(bool keep)
         }
         rows_.push_back(make_row(control, scroll_.x(), scroll_.y(), scroll_.w()));
         ParameterRow& row = *rows_.back();
-        row.on_set = [this, &row](const std::string& text) { set(row.control(), text); };
+        row.on_set = [this, &row](const std::string& text) { set(row.control(), text, false); };
+        row.on_pick = [this, &row](const std::string& text) { set(row.control(), text, true); };
         row.on_enter = [this](bool changed) {
             const bool adjusted = changed && session_.is_bound() && session_.live();
             if (!adjusted) session_.apply_chosen();
@@ -148,11 +154,12 @@ void ParameterPanel::make_rows(bool keep)
     arrange();
 }
 
-void ParameterPanel::set(const Control& control, const std::string& text)
+void ParameterPanel::set(const Control& control, const std::string& text, bool picked)
 {
     // By value: the row may be another when the session has followed.
     const std::string parameter = control.parameter, piece = text.empty() ? control.initial : text;
-    session_.set(parameter, control.place < 0 ? piece : with_piece(session_.shown_text(parameter), control.place, piece));
+    const std::string whole = control.place < 0 ? piece : with_piece(session_.shown_text(parameter), control.place, piece);
+    picked ? session_.choose_value(parameter, whole) : session_.set(parameter, whole);
     show_values(); // a value that was refused gives way to the one that stands
 }
 
@@ -203,24 +210,22 @@ void ParameterPanel::choose_preset()
     show_popup(entries, presets_.x(), presets_.y() + presets_.h());
 }
 
-void ParameterPanel::choose_solid_for(const Parameter& parameter)
+void ParameterPanel::choose_solid_for_shown()
 {
-    if (const auto solid = choose_solid(pictures_, session_.arguments().text(parameter.name))) session_.set(parameter.name, *solid);
+    const Parameter* solid = shown_ ? solid_parameter(*shown_) : nullptr;
+    if (!solid) return;
+    if (const auto chosen = choose_solid(pictures_, session_.arguments().text(solid->name))) session_.choose_value(solid->name, *chosen);
 }
 
-bool ParameterPanel::is_on_picture() const
+void ParameterPanel::Picture::draw()
 {
-    const int size = layout().header_picture();
-    return Fl::event_inside(x() + w() - layout().gap() - size, y() + layout().header_height(), size, size) != 0;
+    fl_color(theme().window);
+    fl_rectf(x(), y(), w(), h());
+    if (Fl_RGB_Image* picture = find()) picture->draw(x(), y());
 }
 
 int ParameterPanel::handle(int event)
 {
-    if (event == FL_PUSH && shown_ && is_on_picture())
-        if (const Parameter* solid = solid_parameter(*shown_)) {
-            choose_solid_for(*solid);
-            return 1;
-        }
     if (Panel::handle(event)) return 1;
     const bool enter = event == FL_KEYBOARD && (Fl::event_key() == FL_Enter || Fl::event_key() == FL_KP_Enter);
     if (!enter || !shown_) return 0;

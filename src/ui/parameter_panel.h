@@ -35,12 +35,11 @@ protected:
 private:
     void make_rows(bool keep);
     void show_values();
-    void set(const Control& control, const std::string& text);
+    void set(const Control& control, const std::string& text, bool picked);
     int header_height() const;
 
     void choose_preset();
-    void choose_solid_for(const Parameter& parameter);
-    bool is_on_picture() const;
+    void choose_solid_for_shown();
 
     Session& session_;
     Pictures& pictures_;
@@ -48,6 +47,17 @@ private:
     std::vector<Control> controls_; // of the rows
     ScrollArea scroll_;
     std::vector<std::unique_ptr<ParameterRow>> rows_; // after what they are in, so that they go first
+
+    /// What the operator makes; where that is a parameter, a click chooses another solid.
+    class Picture : public Fl_Button {
+    public:
+        explicit Picture(const char* label) : Fl_Button(0, 0, 1, 1, label) {}
+        std::function<Fl_RGB_Image*()> find;
+
+    private:
+        void draw() override;
+    };
+    Picture picture_;
     Fl_Check_Button live_;
     Fl_Button presets_, apply_, reset_, help_;
 };

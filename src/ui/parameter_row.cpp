@@ -35,6 +35,11 @@ void ParameterRow::set(const std::string& text)
     if (on_set) on_set(text);
 }
 
+void ParameterRow::pick(const std::string& text)
+{
+    if (on_pick) on_pick(text);
+}
+
 int ParameterRow::handle(int event)
 {
     const bool on_label = Fl::event_inside(x(), y(), layout().label_width(), h());
@@ -60,7 +65,7 @@ void ParameterRow::open_menu()
     };
     const Fl_Menu_Item* picked = items->popup(Fl::event_x(), Fl::event_y());
     if (picked == &items[0]) edit();
-    else if (picked == &items[1]) set({});
+    else if (picked == &items[1]) pick({});
     else if (picked == &items[2] && on_copy) on_copy();
 }
 

@@ -17,6 +17,8 @@ public:
 
     /// The person has set it to this text; an empty one asks for the default.
     std::function<void(const std::string&)> on_set;
+    /// The same, but in a menu or dialog.
+    std::function<void(const std::string&)> on_pick;
     /// "Copy as command" was chosen.
     std::function<void()> on_copy;
     /// Enter was pressed in a field; `changed` tells whether that set another value.
@@ -34,6 +36,7 @@ public:
 protected:
     void draw() override;
     void set(const std::string& text);
+    void pick(const std::string& text);
     /// Puts the keyboard into the row's field, for "Type a value".
     virtual void edit() {}
     int control_x() const;

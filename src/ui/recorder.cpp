@@ -6,8 +6,12 @@
 #include "dlfl/errors.h"
 
 #include <FL/Fl.H>
+#include <FL/Fl_Button.H>
+#include <FL/Fl_Choice.H>
 
 #include <fmt/format.h>
+
+#include <string_view>
 
 namespace druse::ui {
 
@@ -21,6 +25,13 @@ std::string held()
     if (Fl::event_state(FL_CTRL)) text += " ctrl";
     if (Fl::event_state(FL_ALT)) text += " alt";
     return text;
+}
+
+/// Would a press on it open a menu or a dialog? Their labels end in dots, as in menus, or in the mark of a list.
+bool opens_something(const Fl_Widget* widget)
+{
+    const std::string_view label = widget && widget->label() ? widget->label() : "";
+    return dynamic_cast<const Fl_Choice*>(widget) || (dynamic_cast<const Fl_Button*>(widget) && (label.ends_with("…") || label == "@#2>"));
 }
 
 } // namespace
@@ -57,7 +68,7 @@ void Recorder::record(int event)
     const bool in_view = x >= window_.viewport().x() && x < window_.viewport().x() + window_.viewport().w() && y >= window_.viewport().y();
     switch (event) {
     case FL_PUSH:
-        if (y < window_.menu().h() || (Fl::event_button() == 3 && !in_view)) break;
+        if (y < window_.menu().h() || (Fl::event_button() == 3 && !in_view) || opens_something(Fl::belowmouse())) break;
         pressed_ = true;
         write(fmt::format("push {} {} {}{}{}", x, y, Fl::event_button(), held(), Fl::event_clicks() > 0 ? " twice" : ""));
         break;
@@ -90,7 +101,8 @@ bool Recorder::asks(int key, int state) const
 
 void Recorder::follow(const std::string& line)
 {
-    for (const auto& [event, verb] : {std::pair("opened ", "open "), std::pair("saved ", "save "), std::pair("exported ", "export ")})
+    for (const auto& [event, verb] : {std::pair("opened ", "open "), std::pair("saved ", "save "), std::pair("exported ", "export "),
+                                      std::pair("set ", "set "), std::pair("preset ", "preset ")})
         if (line.starts_with(event)) write(verb + line.substr(std::string_view(event).size()));
 }
 

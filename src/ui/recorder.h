@@ -20,7 +20,7 @@ public:
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// An event of the log: files that were opened, saved or exported.
+    /// An event of the log: what a person has chosen where this does not look.
     void follow(const std::string& line);
 
 private:

@@ -138,6 +138,8 @@ void Replay::play(const std::string& line)
         const std::size_t blank = rest.find(' ');
         if (!session.chosen() || blank == std::string::npos) throw CommandError("expected PARAMETER VALUE, with an operator chosen");
         session.set(rest.substr(0, blank), rest.substr(blank + 1));
+    } else if (verb == "preset") {
+        session.take_preset(rest);
     } else if (verb == "open") {
         session.open(rest);
     } else if (verb == "save") {

@@ -16,6 +16,7 @@ class MainWindow;
 /// push X Y BUTTON [shift] [ctrl] [alt] [twice]      drag X Y      move X Y      release X Y      wheel X Y NOTCHES
 /// key Ctrl+Z      menu Edit/Undo      choose OPERATOR      set PARAMETER VALUE      run COMMAND
 /// open FILE       save FILE           export FILE          shot FILE.png            wait EVENT     quit
+/// preset NAME
 /// ```
 /// `wait` goes on when a line of the event log since the last wait begins so; after 10 seconds it fails.
 class Replay {

@@ -59,7 +59,7 @@ void Session::choose(const Operator* op)
     if (op == chosen_) return;
     chosen_ = op;
     bound_.reset();
-    implied_ = op ? implied_values(arguments_.try_emplace(op, *op).first->second) : Implied();
+    implied_ = op ? implied_values(arguments_.try_emplace(op, *op).first->second, folder()) : Implied();
     message_ = {};
     event(op ? "chosen " + op->name : "chosen nothing");
     changed();
@@ -87,6 +87,12 @@ void Session::set(std::string_view parameter, std::string_view text)
     arguments_changed();
 }
 
+void Session::choose_value(std::string_view parameter, std::string_view text)
+{
+    event(fmt::format("set {} {}", parameter, text));
+    set(parameter, text);
+}
+
 void Session::reset_arguments()
 {
     if (!chosen_) return;
@@ -104,7 +110,7 @@ std::string Session::shown_text(std::string_view parameter) const
 void Session::arguments_changed()
 {
     Arguments& arguments = arguments_.at(chosen_);
-    implied_ = implied_values(arguments);
+    implied_ = implied_values(arguments, folder());
     for (const auto& [name, text] : implied_) { // a number for each tier of a solid that is no longer the one
         const auto given = split(arguments.text(name), ',').size();
         if (given > 1 && given != split(text, ',').size()) arguments.set(name, "");
@@ -137,6 +143,16 @@ void Session::take_preset(const Preset& preset)
     arguments_changed();
 }
 
+void Session::take_preset(const std::string& name)
+{
+    if (!chosen_) return;
+    const std::vector<Preset> own = presets_.of(*chosen_);
+    for (const auto* list : {&own, &chosen_->presets})
+        for (const Preset& preset : *list)
+            if (preset.name == name) return take_preset(preset);
+    throw CommandError(fmt::format("{} has no preset '{}'", chosen_->name, name));
+}
+
 void Session::store_preset(const std::string& name)
 {
     if (!chosen_) return;
@@ -145,7 +161,7 @@ void Session::store_preset(const std::string& name)
     for (const Parameter& p : chosen_->parameters)
         if (!is_target(p) && !arguments.is_default(p.name)) values.append(values.empty() ? "" : " ").append(argument_text(p.name, arguments.text(p.name)));
     presets_.store(*chosen_, {name, values});
-    event("preset stored " + name);
+    event("stored preset " + name);
     say(Message::Kind::note, fmt::format("stored as preset={} of {}", name, chosen_->name));
     changed();
 }
@@ -154,7 +170,7 @@ void Session::forget_preset(const std::string& name)
 {
     if (!chosen_) return;
     presets_.forget(*chosen_, name);
-    event("preset forgotten " + name);
+    event("forgot preset " + name);
     changed();
 }
 

@@ -75,9 +75,13 @@ public:
     std::string shown_text(std::string_view parameter) const;
     /// Sets a value of the chosen operator. If its last step is still bound to the panel and live is on, runs that step again.
     void set(std::string_view parameter, std::string_view text);
+    /// The same of a value that was chosen in a menu or dialog; the event log tells of it.
+    void choose_value(std::string_view parameter, std::string_view text);
     void reset_arguments();
     /// Sets the values of a preset, and all others back to their defaults.
     void take_preset(const Preset& preset);
+    /// The preset of that name, a person's own or a registered one. @throws CommandError if there is none
+    void take_preset(const std::string& name);
     /// Keeps the values there are, the faces and the like left out, as a person's own preset. @throws CommandError, SystemError
     void store_preset(const std::string& name);
     void forget_preset(const std::string& name);

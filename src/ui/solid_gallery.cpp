@@ -88,6 +88,8 @@ private:
     {
         const int last = int(solids_.size()) - 1;
         switch (key) {
+        case FL_Home: mark(0); return true;
+        case FL_End: mark(last); return true;
         case FL_Left: mark(std::max(marked_ - 1, 0)); return true;
         case FL_Right: mark(std::min(marked_ + 1, last)); return true;
         case FL_Up: mark(marked_ >= columns() ? marked_ - columns() : marked_); return true;

@@ -44,7 +44,7 @@ ChoiceRow::ChoiceRow(const Control& control, int x, int y, int w) : ParameterRow
     choice_.textsize(layout().font());
     choice_.callback([](Fl_Widget*, void* row) {
         auto* self = static_cast<ChoiceRow*>(row);
-        if (self->choice_.mvalue()) self->set(self->control().words.at(std::size_t(self->choice_.value())));
+        if (self->choice_.mvalue()) self->pick(self->control().words.at(std::size_t(self->choice_.value())));
     }, this);
     arrange();
 }
@@ -111,21 +111,21 @@ void TextRow::ask()
 {
     switch (control().kind) {
     case Control::Kind::file:
-        if (const auto file = ask_for_model("Choose a file")) set(file->string());
+        if (const auto file = ask_for_model("Choose a file")) pick(file->string());
         break;
     case Control::Kind::solid:
         if (!on_choose) break;
-        if (const auto solid = on_choose(shown_)) set(*solid);
+        if (const auto solid = on_choose(shown_)) pick(*solid);
         break;
     case Control::Kind::colour:
-        if (const auto colour = ask_for_colour(colour_from_hex(field_.value()).value_or(Colour{204, 204, 204}))) set(to_hex(*colour));
+        if (const auto colour = ask_for_colour(colour_from_hex(field_.value()).value_or(Colour{204, 204, 204}))) pick(to_hex(*colour));
         break;
     default: {
         Fl_Menu_Button menu(0, 0, 1, 1);
         menu.textsize(layout().font());
         for (const std::string& word : control().words) menu.add(word.c_str());
         const Fl_Menu_Item* picked = menu.menu()->popup(button_.x(), button_.y() + button_.h());
-        if (picked) set(picked->label());
+        if (picked) pick(picked->label());
     }
     }
 }

@@ -98,8 +98,11 @@ TEST(Controls, WhatASolidImpliesCanSlide)
     EXPECT_EQ(implied_values(arguments).at("angle"), "142.98343");
     arguments.set("base", "3"); // 7 tiers over a triangle
     EXPECT_EQ(split(implied_values(arguments).at("heights"), ',').size(), 7u);
-    arguments.set("solid", "./snub_cube.obj");
+    arguments.set("solid", "./no_such.obj");
     EXPECT_TRUE(implied_values(arguments).empty());
+    arguments.set("base", "");
+    arguments.set("solid", "dodecahedron.obj");
+    EXPECT_EQ(implied_values(arguments, DRUSE_MODELS).at("heights"), "1,1,1");
     EXPECT_EQ(control("extrude.solid", "heights").kind, Control::Kind::field);
 }
 

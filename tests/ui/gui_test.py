@@ -351,7 +351,7 @@ def solids(druse, folder, pictures):
     window.type("my spikes")
     window.picture("6-preset-name")
     window.keys("Return")
-    window.wait("preset stored my spikes")
+    window.wait("stored preset my spikes")
     window.click(RESET)
     window.wait("error extrude.solid: solid= is missing")
     window.click(PRESETS)
@@ -391,6 +391,13 @@ def replay(druse, folder, pictures):
     y = row_middle(row_of(druse, "extrude.cubical", "angle"))
     window.click((SLIDER[0] + 30, y))
     window.wait("adjusted extrude.cubical")
+    window.choose("extrude.solid", "any solid")
+    window.click(PANEL_PICTURE)  # what is chosen in dialogs and menus is recorded, not the way there
+    run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "^Solids$")
+    window.keys("Home", "Right", "Return")
+    window.wait("set solid cube")
+    window.click(SIDE_FACE)
+    window.wait("applied extrude.solid faces=26")  # the 4 sides, 4 walls each
     window.press(BESIDE_THE_MESH)
     window.move((400, 640))
     window.release()

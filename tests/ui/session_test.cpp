@@ -301,7 +301,8 @@ TEST_F(CubeSession, APresetSetsItsValuesAndLeavesAllOthersAtTheirDefaults)
     session.store_preset("tower of three");
     session.reset_arguments();
     session.set("heights", "2");
-    session.take_preset(session.presets().of(*session.chosen()).at(0));
+    EXPECT_THROW(session.take_preset("tower of four"), CommandError);
+    session.take_preset("tower of three");
     EXPECT_EQ(session.arguments().command(), "extrude.cubical angle=70 iterations=3");
     click(0);
     EXPECT_EQ(steps().back(), "extrude.cubical faces=0 angle=70 iterations=3");
@@ -318,7 +319,7 @@ TEST_F(CubeSession, APresetThatDoesNotFitIsRefusedAsAWhole)
 {
     choose("extrude.cubical");
     session.set("angle", "70");
-    session.take_preset({"broken", "iterations=2 angle=270"});
+    session.take_preset(Preset{"broken", "iterations=2 angle=270"});
     EXPECT_EQ(session.message().kind, Message::Kind::error);
     EXPECT_EQ(session.arguments().command(), "extrude.cubical angle=70");
 }
