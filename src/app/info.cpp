@@ -201,9 +201,16 @@ void add_graph(Table& t, const GraphFacts& g, const std::string& prefix)
     t.add(prefix + "smallest angle", g.smallest_angle ? rounded(*g.smallest_angle) + " degrees" : "none");
 }
 
+std::string met_text(const std::optional<SelfIntersections>& met)
+{
+    if (!met) return "not looked for; --check does";
+    if (met->pairs == 0) return "none";
+    return fmt::format("{} of triangles, in {} faces", met->pairs == 1 ? "1 pair" : fmt::format("{} pairs", met->pairs), met->faces.size());
+}
+
 } // namespace
 
-std::string info_json(const Scene& scene, std::string_view file)
+std::string info_json(const Scene& scene, std::string_view file, const std::optional<SelfIntersections>& met)
 {
     const Facts facts(scene);
     const MeshFacts& m = facts.mesh;
@@ -220,7 +227,7 @@ std::string info_json(const Scene& scene, std::string_view file)
     j["parallel_edges"] = m.parallel_edges;
     j["point_spheres"] = m.point_spheres;
     j["zero_thickness_walls"] = m.zero_thickness_walls;
-    j["self_intersections"] = nullptr;
+    j["self_intersections"] = met && !facts.only_graph ? Json(met->pairs) : Json(nullptr);
     if (facts.only_graph) {
         add_own_of_graph(j, *facts.graph);
     } else if (facts.graph) {
@@ -233,7 +240,7 @@ std::string info_json(const Scene& scene, std::string_view file)
     return j.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string info_text(const Scene& scene, std::string_view file)
+std::string info_text(const Scene& scene, std::string_view file, const std::optional<SelfIntersections>& met)
 {
     const Facts facts(scene);
     Table t;
@@ -257,6 +264,7 @@ std::string info_text(const Scene& scene, std::string_view file)
         t.add("parallel edges", facts.mesh.parallel_edges);
         t.add("point spheres", facts.mesh.point_spheres);
         t.add("walls of no thickness", facts.mesh.zero_thickness_walls);
+        t.add("self-intersections", met_text(met));
         if (facts.graph) add_graph(t, *facts.graph, "graph ");
     }
     return t.take();

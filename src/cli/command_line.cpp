@@ -86,6 +86,7 @@ private:
         info_app_->add_option("FILE", info_.input, "the model or script; - is standard input")->required();
         info_app_->add_option("--format", info_.format, "the format of -");
         info_app_->add_flag("--json", info_.json, "as one JSON object");
+        info_app_->add_flag("--check", info_.check, "look for self-intersections too, which may take a while");
     }
 
     void add_render()

@@ -24,7 +24,7 @@ struct ApplyRequest {
 
 struct InfoRequest {
     std::string input, format;
-    bool json = false;
+    bool json = false, check = false;
 };
 
 struct RenderRequest {

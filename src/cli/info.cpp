@@ -3,6 +3,7 @@
 #include "app/registry.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "dlfl/errors.h"
 
 namespace druse {
 
@@ -10,7 +11,11 @@ void info(const InfoRequest& request, Progress& progress)
 {
     Document document(all_operators());
     const Document::Outcome outcome = open_input(document, request.input, request.format, progress);
-    print(request.json ? info_json(document.scene(), request.input) + "\n" : info_text(document.scene(), request.input));
+    if (outcome.failed) throw CommandError(outcome.failure);
+    const Scene& scene = document.scene();
+    std::optional<SelfIntersections> met;
+    if (request.check) met = self_intersections(scene.mesh, progress);
+    print(request.json ? info_json(scene, request.input, met) + "\n" : info_text(scene, request.input, met));
     print_notes(outcome.notes);
 }
 

@@ -1,6 +1,8 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "dlfl/errors.h"
+#include "geom/predicates.h"
 #include "geom/progress.h"
 
 #include <csignal>
@@ -70,6 +72,7 @@ int main(int argc, char** argv)
 {
     fill_closed_streams();
     try {
+        ASSERT(druse::predicates_are_exact(), "the predicates give the signs that are known");
         return std::visit(Perform(), druse::parse_arguments(argc, argv));
     } catch (...) {
         return druse::report_exception();

@@ -95,6 +95,18 @@ TEST(Info, TellsThatAnOpenPatchIsNotWatertight)
     EXPECT_NE(info_text(document.scene(), "x").find("watertight             no, 10 open edges\n"), std::string::npos);
 }
 
+TEST(Info, TellsOfSelfIntersectionsThatWereLookedFor)
+{
+    const Document document = document_of(all_operators(), cube());
+    const auto told = [&](const std::optional<SelfIntersections>& met) { return info_text(document.scene(), "x", met); };
+    EXPECT_NE(told({}).find("self-intersections     not looked for; --check does\n"), std::string::npos);
+    EXPECT_NE(told(SelfIntersections{}).find("self-intersections     none\n"), std::string::npos);
+    EXPECT_NE(told(SelfIntersections{1, {Face(0), Face(4)}}).find("self-intersections     1 pair of triangles, in 2 faces\n"), std::string::npos);
+    EXPECT_EQ(Json::parse(info_json(document.scene(), "x", SelfIntersections{}))["self_intersections"], 0);
+    EXPECT_EQ(Json::parse(info_json(document.scene(), "x", SelfIntersections{7, {Face(1)}}))["self_intersections"], 7);
+    EXPECT_TRUE(Json::parse(info_json(scene_of(Graph{{Point(0), Point(1)}, {{0, 1}}}), "x", SelfIntersections{}))["self_intersections"].is_null());
+}
+
 TEST(Info, SumsTheGeneraOfTheComponents)
 {
     Document document(all_operators());

@@ -48,6 +48,18 @@ TEST(Info, ReadsStandardInputAndScripts)
     EXPECT_EQ(piped["faces"], 6);
 }
 
+TEST(Info, LooksForSelfIntersectionsWhenAsked)
+{
+    const Folder folder;
+    folder.write("s.druse", "make.cube\nmesh.transform move=0.5,0.375,0.25\nmake.cube\n");
+    EXPECT_TRUE(Json::parse(druse({"info", "s.druse", "--json"}, folder.path()).out)["self_intersections"].is_null());
+    const Json crossed = Json::parse(druse({"info", "s.druse", "--json", "--check"}, folder.path()).out);
+    EXPECT_EQ(crossed["components"], 2);
+    EXPECT_GT(crossed["self_intersections"], 0);
+    EXPECT_EQ(Json::parse(druse({"info", models + "/cube.obj", "--json", "--check"}).out)["self_intersections"], 0);
+    EXPECT_NE(druse({"info", models + "/cube.obj", "--check"}).out.find("\nself-intersections     none\n"), std::string::npos);
+}
+
 TEST(Info, SaysWhatIsWrong)
 {
     expect_error({"info"}, "info: FILE is required");
