@@ -4,6 +4,8 @@
 #include "dlfl/measures.h"
 #include "dlfl/mesh_builder.h"
 #include "dlfl/patch.h"
+#include "dlfl/self_intersections.h"
+#include "dlfl/wall_thickness.h"
 
 #include <benchmark/benchmark.h>
 
@@ -215,6 +217,29 @@ void ReplaceEveryFace(benchmark::State& state)
     state.counters["undo_step_bytes"] = double(step);
 }
 
+// Nothing to be found, as in a good model: what it costs to make sure. Two triangles a quad.
+void FindSelfIntersections(benchmark::State& state)
+{
+    const Soup soup = cube_sphere(std::uint32_t(state.range(0)));
+    const Mesh mesh = build(soup);
+    Progress progress;
+    for (auto _ : state) benchmark::DoNotOptimize(self_intersections(mesh, progress).pairs);
+    count_faces(state, soup);
+}
+
+// Three rays in the corners of each triangle and one in its middle, through the whole sphere.
+void MeasureWalls(benchmark::State& state)
+{
+    const Soup soup = cube_sphere(std::uint32_t(state.range(0)));
+    const Mesh mesh = build(soup);
+    Progress progress;
+    for (auto _ : state) {
+        const RayCast rays(mesh, progress, 0.5);
+        benchmark::DoNotOptimize(wall_thickness(mesh, rays, 1e-6, progress, 0.5).thinnest);
+    }
+    count_faces(state, soup);
+}
+
 #define THREE_SIZES Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)
 BENCHMARK(BuildFromFaces)->THREE_SIZES;
 BENCHMARK(BuildFromShuffledFaces)->THREE_SIZES;
@@ -225,6 +250,8 @@ BENCHMARK(Facts)->THREE_SIZES;
 BENCHMARK(Copy)->THREE_SIZES;
 BENCHMARK(CommitAndUndoOneFace)->THREE_SIZES;
 BENCHMARK(ReplaceEveryFace)->THREE_SIZES;
+BENCHMARK(FindSelfIntersections)->THREE_SIZES;
+BENCHMARK(MeasureWalls)->THREE_SIZES;
 
 } // namespace
 } // namespace druse

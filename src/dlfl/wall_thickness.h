@@ -18,7 +18,7 @@ struct WallThickness {
 /// away by no more than 45 degrees from facing it: what meets at a greater angle is an edge of the solid, not a wall. Triangles are
 /// asked in the middle, and those longer than `reach` near each corner too; so a wall is found where it is about as wide as thick, or
 /// as the triangles are. Faces look outward. Thicknesses from `reach` on are measured only as far as `thinnest` needs them.
-/// Reports its part of the work as `from` to 1. Cost: one to four rays a triangle, 1 to 2 µs each. @throws Cancelled
+/// Reports its part of the work as `from` to 1. Cost: one to four rays a triangle, 1 to 3 µs each. @throws Cancelled
 WallThickness wall_thickness(const Mesh& mesh, const RayCast& rays, double reach, Progress& progress, double from);
 
 } // namespace druse
