@@ -54,8 +54,8 @@ const std::vector<Solid> solids{
     {"Dodecahedron", dodecahedron, 0.276393202250021, 0.539344662917},
     {"Icosahedron", icosahedron, 1.0 / 3, 0.350372906023},
 };
-class EverySolid : public testing::TestWithParam<Solid> {};
-INSTANTIATE_TEST_SUITE_P(Remesh, EverySolid, testing::ValuesIn(solids), shape_name<testing::TestParamInfo<Solid>>);
+class EveryPlatonicSolid : public testing::TestWithParam<Solid> {};
+INSTANTIATE_TEST_SUITE_P(Remesh, EveryPlatonicSolid, testing::ValuesIn(solids), shape_name<testing::TestParamInfo<Solid>>);
 
 /// How much the corners of a face differ in distance from its mean, at most: 0 where equal sides mean a regular face.
 double unevenness(const Mesh& mesh)
@@ -69,7 +69,7 @@ double unevenness(const Mesh& mesh)
     return most / edge_lengths(mesh).mean;
 }
 
-TEST_P(EverySolid, IsTruncatedToRegularFacesAtTheRightRatio)
+TEST_P(EveryPlatonicSolid, IsTruncatedToRegularFacesAtTheRightRatio)
 {
     const Mesh mesh = made_of(GetParam().make(), "remesh.truncate", {{"t", number_text(GetParam().t)}});
     EXPECT_LT(edge_lengths(mesh).relative_spread(), 1e-12);
@@ -77,7 +77,7 @@ TEST_P(EverySolid, IsTruncatedToRegularFacesAtTheRightRatio)
     EXPECT_LT(flatness(mesh), 1e-12);
 }
 
-TEST_P(EverySolid, IsExpandedToSquaresAtTheRightRatio)
+TEST_P(EveryPlatonicSolid, IsExpandedToSquaresAtTheRightRatio)
 {
     const Mesh mesh = made_of(GetParam().make(), "remesh.expand", {{"s", number_text(GetParam().s)}});
     EXPECT_LT(edge_lengths(mesh).relative_spread(), 1e-11); // the ratios have twelve digits
@@ -85,7 +85,7 @@ TEST_P(EverySolid, IsExpandedToSquaresAtTheRightRatio)
     EXPECT_LT(flatness(mesh), 1e-11);
 }
 
-TEST_P(EverySolid, HasAmboWithEqualEdgesAndADualOfFlatFaces)
+TEST_P(EveryPlatonicSolid, HasAmboWithEqualEdgesAndADualOfFlatFaces)
 {
     const Mesh old = GetParam().make(), ambo = recipe(old, "a");
     EXPECT_LT(edge_lengths(ambo).relative_spread(), 1e-13);
