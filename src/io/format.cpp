@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "io/dlfl_file.h"
+#include "io/glb.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
@@ -21,6 +22,8 @@ constexpr Format all_formats[] = {
     {"dlfl", "TopMod", read_dlfl, write_dlfl},
     {"ply", "Polygon File Format", read_ply, write_ply},
     {"off", "Object File Format", read_off, write_off},
+    {"glb", "Binary glTF", read_gltf, write_glb},
+    {"gltf", "glTF", read_gltf, write_gltf},
 };
 
 std::string extensions()

@@ -137,7 +137,8 @@ Model OffReader::read()
     keyword();
     counts();
     const auto line = [&](const char* what, std::uint64_t i, std::uint64_t count) {
-        if (!lines_.next_line_of_words()) throw InputError(source_.name(), fmt::format("ends in {} {} of {}", what, i + 1, count));
+        if (!lines_.next_line_of_words())
+            throw InputError(source_.name(), fmt::format("ends in {} {} of {}", what, i + 1, count));
     };
     for (std::uint64_t i = 0; i < vertex_count_; ++i) {
         line("vertex", i, vertex_count_);

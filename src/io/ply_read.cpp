@@ -55,8 +55,8 @@ private:
     bool has_groups_ = false, has_face_colours_ = false, has_vertex_colours_ = false;
     std::array<PlyType, 3> face_colour_types_{}, vertex_colour_types_{};
 
-    ColourNumbers colours_;                 // of faces, without groups
-    std::map<int, Colour> group_colours_;   // of the first face of each
+    ColourNumbers colours_;               // of faces, without groups
+    std::map<int, Colour> group_colours_; // of the first face of each
     Column<Vector> vertex_colours_;
 };
 
@@ -135,8 +135,7 @@ template <class Values> std::uint64_t PlyReader::length(Values& in, PlyType type
 template <class Values> void PlyReader::corners(Values& in, const Step& step)
 {
     const std::uint64_t count = length(in, *step.length);
-    if (count == 0 || count == 2)
-        in.fail(fmt::format("a face with {} corners; expected at least 3", count));
+    if (count == 0 || count == 2) in.fail(fmt::format("a face with {} corners; expected at least 3", count));
     if (builder_.corner_count() + count > most_elements) in.fail(fmt::format("more than {} corners", most_elements));
     for (std::uint64_t i = 0; i < count; ++i) {
         const double value = in.number(step.type);
@@ -172,7 +171,8 @@ template <class Values> void PlyReader::vertices(Values& in, const PlyElement& e
         if (has_vertex_colours_) {
             Vector colour;
             for (int k = 0; k < 3; ++k)
-                colour[k] = channel(in, vertex_colour_types_[static_cast<std::size_t>(k)], value[static_cast<std::size_t>(3 + k)]);
+                colour[k] =
+                    channel(in, vertex_colour_types_[static_cast<std::size_t>(k)], value[static_cast<std::size_t>(3 + k)]);
             vertex_colours_.push_back(colour);
         }
     }

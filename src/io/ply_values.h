@@ -13,8 +13,8 @@
 
 namespace druse {
 
-// The two ways in which the values of a PLY file come, one element after the other, with the same calls: next() begins an element,
-// number() and pass_over() take its values, end() ends it. All throw InputError with the place in the file.
+// The two ways in which the values of a PLY file come, one element after the other, with the same calls: next() begins an
+// element, number() and pass_over() take its values, end() ends it. All throw InputError with the place in the file.
 
 /// Values in text, each element on its own line.
 class PlyText {
@@ -52,7 +52,8 @@ private:
 class PlyBytes {
 public:
     PlyBytes(ByteSource& source, const PlyHeader& header)
-        : source_(source), turned_((header.encoding == PlyEncoding::little_endian) != (std::endian::native == std::endian::little)),
+        : source_(source),
+          turned_((header.encoding == PlyEncoding::little_endian) != (std::endian::native == std::endian::little)),
           buffer_(std::make_unique_for_overwrite<char[]>(capacity))
     {
         pass_over(PlyType::uint8, header.size);
@@ -108,7 +109,8 @@ public:
 
     [[noreturn]] void fail(const std::string& what) const
     {
-        throw InputError(source_.name(), fmt::format("before byte {}: {}", before_ + static_cast<std::uint64_t>(p_ - buffer_.get()), what));
+        throw InputError(source_.name(),
+                         fmt::format("before byte {}: {}", before_ + static_cast<std::uint64_t>(p_ - buffer_.get()), what));
     }
 
 private:

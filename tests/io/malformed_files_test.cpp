@@ -137,15 +137,16 @@ INSTANTIATE_TEST_SUITE_P(Dlfl, EveryMalformedFile, testing::ValuesIn(dlfls()));
 
 std::vector<Malformed> plys()
 {
-    const std::string title = "ply\nformat ascii 1.0\n";                                                          // lines 1 and 2
-    const std::string vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";      // to 6
-    const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n";                         // to 8
-    const std::string begin = title + vertices + faces + "end_header\n", points = "0 0 0\n1 0 0\n0 1 0\n";        // to 9, to 12
-    const std::string grouped = title + vertices + faces + "property int group\nend_header\n" + points;           // to 13
-    const std::string coloured =
-        title + vertices + faces + "property uchar red\nproperty float green\nproperty ushort blue\nend_header\n" + points; // to 15
-    const std::string binary = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty "
-                               "char z\nelement face 1\nproperty list int char vertex_indices\nend_header\n";
+    const std::string title = "ply\nformat ascii 1.0\n";                                                     // lines 1 and 2
+    const std::string vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"; // to 6
+    const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n";                    // to 8
+    const std::string begin = title + vertices + faces + "end_header\n", points = "0 0 0\n1 0 0\n0 1 0\n";   // to 9, to 12
+    const std::string grouped = title + vertices + faces + "property int group\nend_header\n" + points;      // to 13
+    const std::string coloured = title + vertices + faces +
+                                 "property uchar red\nproperty float green\nproperty ushort blue\nend_header\n" + points; // to 15
+    const std::string binary =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty "
+        "char z\nelement face 1\nproperty list int char vertex_indices\nend_header\n";
     const std::string at = std::to_string(binary.size() + 3 + 4), after = std::to_string(binary.size() + 3 + 4 + 1);
     const std::string p(3, '\0');
     return {
@@ -154,19 +155,23 @@ std::vector<Malformed> plys()
         {"ply", "ply\n", ": has no 'end_header'"},
         {"ply", title + vertices + faces + "end_header", ": has no 'end_header'"},
         {"ply", "ply\nend_header\n", ": has no 'format'"},
-        {"ply", "ply\nformat text 1.0\nend_header\n", ":2: expected ascii, binary_little_endian or binary_big_endian, found 'text'"},
+        {"ply", "ply\nformat text 1.0\nend_header\n",
+         ":2: expected ascii, binary_little_endian or binary_big_endian, found 'text'"},
         {"ply", "ply\nformat ascii 2.0\nend_header\n", ":2: expected version 1.0, found '2.0'"},
         {"ply", title + "elements vertex 3\nend_header\n", ":3: expected a word of PLY, found 'elements'"},
         {"ply", title + "element\nend_header\n", ":3: expected the name of an element, found the end of the line"},
-        {"ply", title + "element vertex\nend_header\n", ":3: expected the number of elements called 'vertex', found the end of the line"},
+        {"ply", title + "element vertex\nend_header\n",
+         ":3: expected the number of elements called 'vertex', found the end of the line"},
         {"ply", title + "element vertex -3\nend_header\n", ":3: expected the number of elements called 'vertex', found '-3'"},
         {"ply", title + "element vertex 3.5\nend_header\n", ":3: expected the number of elements called 'vertex', found '3.5'"},
         {"ply", title + "element vertex 4000000000\nend_header\n", ":3: 4000000000: expected at most 2147483392"},
         {"ply", title + vertices + vertices + "end_header\n", ":7: there are elements called 'vertex' already"},
         {"ply", title + "property float x\nend_header\n", ":3: expected 'element' first, found 'property'"},
         {"ply", title + "element vertex 3\nproperty long x\nend_header\n", ":4: expected a type of number, found 'long'"},
-        {"ply", title + "element vertex 3\nproperty float\nend_header\n", ":4: expected the name of a property, found the end of the line"},
-        {"ply", title + "element face 3\nproperty list float int i\nend_header\n", ":4: expected a type of whole numbers, found 'float'"},
+        {"ply", title + "element vertex 3\nproperty float\nend_header\n",
+         ":4: expected the name of a property, found the end of the line"},
+        {"ply", title + "element face 3\nproperty list float int i\nend_header\n",
+         ":4: expected a type of whole numbers, found 'float'"},
         {"ply", title + vertices + "end_header\n" + points, ": holds no faces"},
         {"ply", title + vertices + "element face 2\nend_header\n" + points, ": has faces without a list of vertex_indices"},
         {"ply", title + "element vertex 1\nproperty float x\nproperty float y\n" + faces + "end_header\n",
@@ -192,7 +197,8 @@ std::vector<Malformed> plys()
         {"ply", coloured + "3 0 1 2 0 0 -1\n", ":16: colour -1: expected 0 to 65535"},
         {"ply", binary, ": ends in vertex 1 of 1"},
         {"ply", binary + p + std::string("\3\0\0\0\0", 5), ": ends in face 1 of 1"},
-        {"ply", binary + p + std::string("\377\377\377\377", 4), ": before byte " + at + ": a list of -1 values; expected 0 to 2147483392"},
+        {"ply", binary + p + std::string("\377\377\377\377", 4),
+         ": before byte " + at + ": a list of -1 values; expected 0 to 2147483392"},
         {"ply", binary + p + std::string("\3\0\0\0\1", 5), ": before byte " + after + ": face names vertex 1, the file has 1"},
         {"ply", binary + p + std::string("\377\377\377\176\0", 5), ": ends in face 1 of 1"}, // two thousand million corners
     };
@@ -261,10 +267,11 @@ TEST(MissingFiles, AreNamed)
     put_contents(folder / "a.xyz", "");
     put_contents(folder / "a", "");
     const std::string odd = (folder / "a.xyz").string(), plain = (folder / "a").string();
-    EXPECT_EQ(error_of([&] { read_model(odd); }), odd + ": unknown format 'xyz'; expected obj, stl, dlfl, ply or off");
+    EXPECT_EQ(error_of([&] { read_model(odd); }), odd + ": unknown format 'xyz'; expected obj, stl, dlfl, ply, off, glb or gltf");
     EXPECT_EQ(error_of([&] { read_model(plain); }),
-              plain + ": a name without a format; expected one that ends in obj, stl, dlfl, ply or off");
-    EXPECT_EQ(error_of([&] { read_text("", "step"); }), "test.step: unknown format 'step'; expected obj, stl, dlfl, ply or off");
+              plain + ": a name without a format; expected one that ends in obj, stl, dlfl, ply, off, glb or gltf");
+    EXPECT_EQ(error_of([&] { read_text("", "step"); }),
+              "test.step: unknown format 'step'; expected obj, stl, dlfl, ply, off, glb or gltf");
 }
 
 TEST(Formats, AreKnownInEitherCase)

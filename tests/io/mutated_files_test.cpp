@@ -1,4 +1,4 @@
-#include "io/io_support.h"
+#include "io/glb_support.h"
 
 #include <fmt/format.h>
 
@@ -106,8 +106,13 @@ std::vector<Original> originals()
         {"ascii_stl", "stl", written(tetrahedron(), "stl", true).text},
         {"binary_ply", "ply", written(grouped, "ply").text},
         {"ascii_ply", "ply", written(grouped, "ply", true).text},
+        {"glb", "glb", written(grouped, "glb").text},
+        {"glb_of_bytes", "glb", file_of(tetrahedron_glb())},
+        {"gltf", "gltf", written(grouped, "gltf").text},
         {"off", "off", written(grouped, "off").text},
-        {"off_with_everything", "off", "STCNOFF # all\n3 2 3\n0 0 0 0 0 1 1 0 0 9 9\n1 0 0 0 0 1 1 0 0 9 9\n0 1 0 0 0 1 1 0 0.5 9 9\n3 0 1 2 1 0 0 1\n3 2 1 0 7\n"},
+        {"off_with_everything", "off",
+         "STCNOFF # all\n3 2 3\n0 0 0 0 0 1 1 0 0 9 9\n1 0 0 0 0 1 1 0 0 9 9\n0 1 0 0 0 1 1 0 0.5 9 9\n3 0 1 2 1 0 0 1\n3 2 1 0 "
+         "7\n"},
     };
 }
 INSTANTIATE_TEST_SUITE_P(Files, EveryMutation, testing::ValuesIn(originals()), shape_name<testing::TestParamInfo<Original>>);

@@ -23,16 +23,18 @@ TEST(WriteOff, PutsTheColourOfItsGroupBehindAFace)
     model.mesh.set_group(Face(3), 5);
     model.groups.set_colour(3, {1, 0, 1});
     const Colour fifth = GroupTable::default_colour(5);
-    EXPECT_EQ(written(view(model), "off").text,
-              "OFF\n4 4 6\n" + corners + "3 0 2 1\n3 0 1 3 1 0 1\n3 1 2 3\n" +
-                  fmt::format("3 2 0 3 {} {} {}\n", fifth.red, fifth.green, fifth.blue));
+    EXPECT_EQ(written(view(model), "off").text, "OFF\n4 4 6\n" + corners + "3 0 2 1\n3 0 1 3 1 0 1\n3 1 2 3\n" +
+                                                    fmt::format("3 2 0 3 {} {} {}\n", fifth.red, fifth.green, fifth.blue));
 }
 
 TEST(WriteOff, RefusesWhatItCannotHold)
 {
     const TemporaryFolder folder;
     const std::string path = (folder / "x.off").string();
-    EXPECT_EQ(error_of([&] { OutputSet().write({Mesh(), GroupTable(), nullptr}, path); }), path + ": the document holds no faces");
+    EXPECT_EQ(error_of([&] {
+                  OutputSet().write({Mesh(), GroupTable(), nullptr}, path);
+              }),
+              path + ": the document holds no faces");
 }
 
 class EveryShapeInOff : public testing::TestWithParam<NamedShape> {};
@@ -108,7 +110,8 @@ TEST(ReadOff, MakesGroupsOfFaceColours)
     EXPECT_EQ(groups(full.mesh), (std::vector<int>{1, 2, 3, 3}));
     EXPECT_EQ(full.groups.colour(1), (Colour{255, 0, 0}));
     EXPECT_EQ(full.groups.colour(3), (Colour{51, 255, 0}));
-    EXPECT_EQ(groups(read_text("OFF\n4 4 6\n" + corners + faces({"0 0 0", "0 0 0", "0 0 0", "0 0 0"}), "off").mesh), std::vector<int>(4, 1));
+    EXPECT_EQ(groups(read_text("OFF\n4 4 6\n" + corners + faces({"0 0 0", "0 0 0", "0 0 0", "0 0 0"}), "off").mesh),
+              std::vector<int>(4, 1));
 }
 
 TEST(ReadOff, TakesColoursOfVerticesWhereFacesHaveNone)

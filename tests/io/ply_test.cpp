@@ -85,7 +85,8 @@ TEST_P(EveryShapeInPly, ComesBackAsFromObjInBothKinds)
     if (mesh.face_count() == 0) return;
     const Written obj = written(mesh, "obj"), binary = written(mesh, "ply"), ascii = written(mesh, "ply", true);
     EXPECT_EQ(binary.notes, obj.notes); // of edges that were split
-    const Model plain = there_and_back(mesh, "obj"), from_binary = read_text(binary.text, "ply"), from_ascii = read_text(ascii.text, "ply");
+    const Model plain = there_and_back(mesh, "obj"), from_binary = read_text(binary.text, "ply"),
+                from_ascii = read_text(ascii.text, "ply");
     ASSERT_SOUND(from_binary.mesh);
     EXPECT_TRUE(from_binary.mesh == from_ascii.mesh);
     EXPECT_EQ(points(from_binary.mesh), points(plain.mesh));
@@ -108,7 +109,8 @@ TEST(ReadPly, KeepsStartCornersIdsColoursAndNames)
     }
 }
 
-// --- files of others --------------------------------------------------------------------------------------------------------------
+// --- files of others
+// --------------------------------------------------------------------------------------------------------------
 
 const std::string vertex_header = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string vertex_lines = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
@@ -119,7 +121,8 @@ const std::string face_lines = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 std::string with_more(const std::string& more_vertex_header, const std::array<std::string, 4>& more_of_vertices,
                       const std::string& more_face_header, const std::array<std::string, 4>& more_of_faces)
 {
-    std::string text = "ply\nformat ascii 1.0\n" + vertex_header + more_vertex_header + face_header + more_face_header + "end_header\n";
+    std::string text =
+        "ply\nformat ascii 1.0\n" + vertex_header + more_vertex_header + face_header + more_face_header + "end_header\n";
     const auto put = [&](const std::string& lines, const std::array<std::string, 4>& more) {
         std::istringstream in(lines);
         for (const std::string& m : more) {
@@ -149,8 +152,9 @@ TEST(ReadPly, TakesColoursOfAnyType)
     const Model floats = read_text(with_more("", {}, float_colour_header, {"0.2 1 0", "0 0 0.5", "1 1 1", "0 0 0"}), "ply");
     EXPECT_EQ(floats.groups.colour(1), (Colour{51, 255, 0}));
     EXPECT_EQ(floats.groups.colour(2), (Colour{0, 0, 128})); // 127.5 rounds up
-    const Model longs = read_text(
-        with_more("", {}, "property ushort blue\nproperty int red\nproperty double green\n", {"65535 51 1", "0 0 0", "0 0 0", "0 0 0"}), "ply");
+    const Model longs = read_text(with_more("", {}, "property ushort blue\nproperty int red\nproperty double green\n",
+                                            {"65535 51 1", "0 0 0", "0 0 0", "0 0 0"}),
+                                  "ply");
     EXPECT_EQ(longs.groups.colour(1), (Colour{51, 255, 255}));
 }
 
@@ -176,15 +180,18 @@ TEST(ReadPly, LetsIdsWinOverColours)
 TEST(ReadPly, GivesZeroWithoutColoursAndOneForASingleColour)
 {
     EXPECT_EQ(groups(read_text(with_more("", {}, "", {}), "ply").mesh), std::vector<int>(4, 0));
-    EXPECT_EQ(groups(read_text(with_more("", {}, colour_header, {"1 1 1", "1 1 1", "1 1 1", "1 1 1"}), "ply").mesh), std::vector<int>(4, 1));
+    EXPECT_EQ(groups(read_text(with_more("", {}, colour_header, {"1 1 1", "1 1 1", "1 1 1", "1 1 1"}), "ply").mesh),
+              std::vector<int>(4, 1));
 }
 
 TEST(ReadPly, PassesOverWhatItDoesNotKnow)
 {
     std::string text = with_more("property double confidence\nproperty list int float many\nproperty float w\n",
-                                 {"nan 2 1 inf 0", "x 0 5", "1 1 1 0", "0 3 1 2 3 7"}, "property list uchar uchar flags\n", {"0", "1 9", "0", "0"});
-    text.insert(text.find("element vertex"), "comment made by hand\nobj_info C:\\models\\\nelement camera 2\nproperty float view\nelement empty "
-                                             "2000000000\n");
+                                 {"nan 2 1 inf 0", "x 0 5", "1 1 1 0", "0 3 1 2 3 7"}, "property list uchar uchar flags\n",
+                                 {"0", "1 9", "0", "0"});
+    text.insert(text.find("element vertex"),
+                "comment made by hand\nobj_info C:\\models\\\nelement camera 2\nproperty float view\nelement empty "
+                "2000000000\n");
     text.insert(text.find("end_header"), "element edge 1\nproperty int vertex1\nproperty int vertex2\n");
     text.insert(text.find("0 0 0 nan"), "1.5\n\n2.5\n");
     const Model model = read_text(text + "0 1\n", "ply");
@@ -201,7 +208,8 @@ TEST(ReadPly, TakesCarriageReturnsAndFacesBeforeVertices)
     std::string text = faces_first;
     for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.replace(at, 1, "\r\n");
     for (const std::string& each : {faces_first, text})
-        EXPECT_EQ(rings(read_text(each, "ply").mesh), (std::vector<std::vector<std::uint32_t>>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
+        EXPECT_EQ(rings(read_text(each, "ply").mesh),
+                  (std::vector<std::vector<std::uint32_t>>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
 }
 
 /// Puts a number down in some type and byte order.
@@ -217,8 +225,11 @@ template <class Coordinate, class Length, class Index>
 std::string binary_tetrahedron(bool big, const char* coordinate, const char* length, const char* index)
 {
     std::string text = big ? "ply\nformat binary_big_endian 1.0\n" : "ply\nformat binary_little_endian 1.0\n";
-    text += fmt::format("element vertex 4\nproperty {0} x\nproperty list {1} {0} more\nproperty {0} y\nproperty {0} z\n", coordinate, length);
-    text += fmt::format("element face 4\nproperty {1} before\nproperty list {0} {1} vertex_indices\nproperty {1} group\nend_header\n", length, index);
+    text += fmt::format("element vertex 4\nproperty {0} x\nproperty list {1} {0} more\nproperty {0} y\nproperty {0} z\n",
+                        coordinate, length);
+    text +=
+        fmt::format("element face 4\nproperty {1} before\nproperty list {0} {1} vertex_indices\nproperty {1} group\nend_header\n",
+                    length, index);
     for (const auto& p : {std::array{0, 0, 0}, std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{0, 0, 1}}) {
         put(text, Coordinate(p[0]), big);
         put(text, Length(2), big);
