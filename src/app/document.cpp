@@ -114,7 +114,7 @@ Document::Outcome Document::apply_again(std::string_view text, Progress& progres
 Document::Outcome Document::run(const Invocation& call, Progress& progress, const fs::path& folder)
 {
     progress.step(0.0);
-    Context context{progress, folder, scripts_, {}, {}, false, [&folder](const fs::path& file) { return read_model(folder / file).mesh; }};
+    Context context{progress, folder, scripts_, {}, {}, false, [&](const fs::path& file) { return read_model(folder / file, progress).mesh; }};
     try {
         switch (call.op->kind) {
         case Operator::Kind::edit: edit(call, context); break;
@@ -239,7 +239,7 @@ Document::Outcome Document::open(const fs::path& file, ScriptCommand command, Pr
         without_file_ = fresh.without_file_;
         ++version_;
     } else {
-        Model model = read_model(file);
+        Model model = read_model(file, progress);
         progress.step(1.0);
         outcome.notes = std::move(model.notes);
         outcome.text = command.text;

@@ -34,7 +34,7 @@ void open_file(Scene& scene, const OpenFile& p, Context& context)
 {
     const std::filesystem::path file = context.folder / p.file.path;
     if (!is_script(file)) {
-        Model model = read_model(file);
+        Model model = read_model(file, context.progress);
         context.progress.step(1.0);
         context.notes = std::move(model.notes);
         fill(scene, std::move(model));

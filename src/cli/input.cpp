@@ -12,7 +12,7 @@ Document::Outcome open_input(Document& document, const std::string& input, const
     if (format.empty()) throw InputError("standard input", "needs --format");
     if (is_script_format(format)) return document.run(Script::read_standard_input(), progress);
     ByteSource source = ByteSource::standard_input();
-    return document.open(read_model(source, format));
+    return document.open(read_model(source, progress, format));
 }
 
 } // namespace druse

@@ -342,24 +342,41 @@ Renumbering Mesh::compact()
         move_down(face_group_, result.faces);
         rename(corner_face_, result.faces);
     }
-    if (!free_corners_.empty()) {
-        const auto map = closing(std::exchange(free_corners_, {}), corner_limit());
-        move_down(corner_vertex_, map);
-        move_down(corner_next_, map);
-        move_down(corner_previous_, map);
-        move_down(corner_face_, map);
-        move_down(corner_edge_, map);
-        rename(corner_next_, map);
-        rename(corner_previous_, map);
-        rename(face_corner_, map);
-        rename(boundary_corner_, map);
-        rename(vertex_corner_, map);
-        for (std::uint32_t i = 0; i < edge_limit(); ++i) {
-            const auto [a, b] = edge_corners_[i];
-            if (map[a.index] != a.index || map[b.index] != b.index) edge_corners_.set(i, {Corner(map[a.index]), Corner(map[b.index])});
-        }
-    }
+    if (!free_corners_.empty()) close_corner_holes();
     return result;
+}
+
+/// Nobody outside knows a corner by its index, so the last ones move into the holes: work and undo grow with the holes, not the mesh.
+void Mesh::close_corner_holes()
+{
+    Holes gone = std::exchange(free_corners_, {});
+    std::sort(gone.begin(), gone.end());
+    const std::uint32_t kept = corner_limit() - holes(gone);
+    std::size_t hole = 0, beyond = static_cast<std::size_t>(std::ranges::lower_bound(gone, kept) - gone.begin());
+    for (std::uint32_t from = kept; from < corner_limit(); ++from)
+        if (beyond < gone.size() && gone[beyond] == from) ++beyond;
+        else move_corner(Corner(from), Corner(gone[hole++]));
+    corner_vertex_.truncate(kept);
+    corner_next_.truncate(kept);
+    corner_previous_.truncate(kept);
+    corner_face_.truncate(kept);
+    corner_edge_.truncate(kept);
+}
+
+void Mesh::move_corner(Corner from, Corner to)
+{
+    const Vertex v = vertex(from);
+    const Face f = face(from);
+    const Edge e = edge(from);
+    const Corner before = previous(from), after = next(from);
+    corner_vertex_.set(to.index, v);
+    corner_face_.set(to.index, f);
+    corner_edge_.set(to.index, e);
+    link(before == from ? to : before, to);
+    link(to, after == from ? to : after);
+    if (corner(v) == from) vertex_corner_.set(v.index, to);
+    if (corner(f) == from) set_face_corner(f, to);
+    if (e.valid()) replace_edge_corner(e, from, to);
 }
 
 void Mesh::replace_with(Mesh&& other) { *this = std::move(other); }

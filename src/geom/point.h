@@ -28,6 +28,13 @@ inline Vector unit(const Vector& v, double least = 0.0, const Vector& fallback =
     return length > least ? v * (1.0 / length) : fallback;
 }
 
+/// The direction of a vector of any size: also where its square is too large or too small for a double. Zero where `v` is.
+inline Vector direction(const Vector& v)
+{
+    const double largest = std::fmax(std::abs(v.x), std::fmax(std::abs(v.y), std::abs(v.z)));
+    return largest > 0 ? unit(v / largest) : Vector(0.0);
+}
+
 /// The axis-aligned box of a set of points; empty until a point is added.
 struct Box {
     Point min{1e300}, max{-1e300};

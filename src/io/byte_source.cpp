@@ -51,7 +51,7 @@ ByteSource ByteSource::memory(std::string_view bytes, const std::filesystem::pat
 ByteSource::ByteSource(ByteSource&& other) noexcept
     : name_(std::move(other.name_)), path_(std::move(other.path_)), size_(other.size_),
       descriptor_(std::exchange(other.descriptor_, -1)), owned_(std::exchange(other.owned_, false)), memory_(other.memory_),
-      head_(std::move(other.head_)), head_used_(other.head_used_)
+      progress_(other.progress_), given_(other.given_), head_(std::move(other.head_)), head_used_(other.head_used_)
 {
 }
 
@@ -65,7 +65,10 @@ std::size_t ByteSource::read(char* into, std::size_t room)
     const std::size_t again = std::min(room, head_.size() - head_used_);
     std::copy_n(head_.data() + head_used_, again, into);
     head_used_ += again;
-    return again + read_on(into + again, room - again);
+    const std::size_t count = again + read_on(into + again, room - again);
+    given_ += count;
+    if (progress_) progress_->step(size_ && *size_ > 0 ? std::min(1.0, double(given_) / double(*size_)) : 0.0);
+    return count;
 }
 
 std::string_view ByteSource::head(std::size_t count)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "geom/progress.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -31,6 +33,9 @@ public:
     /// The first bytes, as many as `count` if there are; read() gives them again. Precondition: nothing was read yet.
     std::string_view head(std::size_t count);
 
+    /// From now on read() tells how far it is, and throws Cancelled when asked to stop. The progress must outlive the source.
+    void report_to(Progress& progress) { progress_ = &progress; }
+
     /// Looks for a file that this one names: beside it, and beside the file itself where this is a link to it.
     std::optional<std::filesystem::path> find_side_file(const std::filesystem::path& named) const;
 
@@ -44,6 +49,8 @@ private:
     int descriptor_ = -1;
     bool owned_ = false;
     std::string_view memory_;
+    Progress* progress_ = nullptr;
+    std::uint64_t given_ = 0; // bytes, by read()
     std::vector<char> head_;
     std::size_t head_used_ = 0;
 };

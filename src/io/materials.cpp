@@ -35,8 +35,13 @@ void Materials::read_library(const ByteSource& model, std::string_view names)
     const auto read_if_there = [&](std::string_view name) {
         const auto path = model.find_side_file(std::string(name));
         if (!path) return false;
-        ByteSource file = ByteSource::file(*path);
-        read(file);
+        std::optional<ByteSource> file;
+        try {
+            file.emplace(ByteSource::file(*path));
+        } catch (const InputError&) {
+            return false; // there, but not for us to read
+        }
+        read(*file);
         return true;
     };
     if (read_if_there(names)) return;
@@ -94,8 +99,8 @@ void Materials::read(ByteSource& file)
 std::string Materials::missing_files() const
 {
     if (missing_.empty()) return {};
-    if (missing_.size() == 1) return fmt::format("{} is not there: its colours are unknown", missing_[0]);
-    return fmt::format("{} and {} more .mtl file{} are not there: their colours are unknown", missing_[0], missing_.size() - 1,
+    if (missing_.size() == 1) return fmt::format("{} cannot be read: its colours are unknown", missing_[0]);
+    return fmt::format("{} and {} more .mtl file{} cannot be read: their colours are unknown", missing_[0], missing_.size() - 1,
                        missing_.size() == 2 ? "" : "s");
 }
 

@@ -45,7 +45,7 @@ TieredExtrusion::TieredExtrusion(Mesh& mesh, std::vector<Face> faces, const Tili
         const std::size_t n = corners_.size() - begin_.back();
         begin_.push_back(corners_.size());
         new_begin_.push_back(new_begin_.back() + static_cast<std::size_t>(tiling_.new_vertices(static_cast<int>(n))));
-        has_top_ = has_top_ && tiling_.has_top(static_cast<int>(n));
+        all_have_top_ = all_have_top_ && tiling_.has_top(static_cast<int>(n));
     }
     room_ = mesh_.vertex_room(new_begin_.back());
 }
@@ -70,7 +70,11 @@ std::vector<Face> TieredExtrusion::connect(NewGroups groups)
     const int largest = groups == NewGroups::each || groups == NewGroups::rows ? mesh_.largest_group() : 0;
     mesh_.replace_faces(faces_, patches);
     if (groups != NewGroups::keep) number_groups(groups, old_groups, largest, first_face);
-    if (has_top_) return std::move(faces_);
+    if (all_have_top_) return std::move(faces_);
+    std::vector<Face> tops;
+    for (std::size_t at = 0; at < faces_.size(); ++at)
+        if (tiling_.has_top(static_cast<int>(begin_[at + 1] - begin_[at]))) tops.push_back(faces_[at]);
+    if (!tops.empty()) return tops;
     for (std::uint32_t f = first_face; f < mesh_.face_limit(); ++f) faces_.push_back(Face(f));
     return std::move(faces_);
 }
@@ -100,7 +104,7 @@ void TieredExtrusion::number_groups(NewGroups groups, const std::vector<int>& ol
             shares.push_back({needs[i].first, needs[i].second, next});
             next += needs[i].second;
         }
-        if (next > std::numeric_limits<std::int32_t>::max()) throw CommandError("group ids would pass 2147483647; use groups=keep or group.renumber");
+        if (next - 1 > std::numeric_limits<std::int32_t>::max()) throw CommandError("group ids would pass 2147483647; use groups=keep or group.renumber");
     }
     const auto first_id = [&](int old_group) {
         return std::ranges::lower_bound(shares, old_group, {}, &Share::old_group)->first;

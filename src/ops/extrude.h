@@ -39,7 +39,7 @@ public:
     std::span<const Corner> ring(std::size_t at) const { return std::span(corners_).subspan(begin_[at], begin_[at + 1] - begin_[at]); }
     std::span<Point> room(std::size_t at);
 
-    /// Puts the tiling on all faces and hands out groups. Returns the tops, or without a top all new faces; ascending.
+    /// Puts the tiling on all faces and hands out groups. Returns the tops, or if no face got one all new faces; ascending.
     std::vector<Face> connect(NewGroups groups);
 
 private:
@@ -52,7 +52,7 @@ private:
     std::vector<std::size_t> begin_;     // of each face in corners_, and one past the last
     std::vector<std::size_t> new_begin_; // of each face's new vertices
     std::span<Point> room_;
-    bool has_top_ = true; // on all faces
+    bool all_have_top_ = true;
 };
 
 /// Slides the top tier along `slide` onto the plane square to the base through its mean elevation.

@@ -60,7 +60,7 @@ void set_starts(Scene& scene, const FaceStart& p, Context&)
     } else if (p.shift) {
         for (const Face f : faces) shift_start(mesh, f, *p.shift);
     } else {
-        const Vector direction = unit(*p.toward);
+        const Vector direction = druse::direction(*p.toward);
         if (direction == Vector(0.0)) throw CommandError("toward=0,0,0: expected a direction, not 0");
         for (const Face f : faces) start_toward(mesh, f, direction);
     }
@@ -73,7 +73,7 @@ void register_face(Registry& registry)
     registry.add(define<FaceStart>("face.start", "Choose the corner at which faces start; exactly one of vertex, shift and toward is given")
                      .param(&FaceStart::faces, "faces", "faces to change")
                      .param(&FaceStart::vertex, "vertex", "the faces that have this vertex start there")
-                     .param(&FaceStart::shift, "shift", Unit::count, {-1000000, 1000000}, "corners to move on, counter-clockwise")
+                     .param(&FaceStart::shift, "shift", Unit::count, {-2147483647, 2147483647}, "corners to move on, counter-clockwise")
                      .param(&FaceStart::toward, "toward", "start at the corner farthest in this direction")
                      .exactly_one({"vertex", "shift", "toward"})
                      .example("face.start faces=group:1 toward=0,0,1")

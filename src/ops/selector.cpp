@@ -188,7 +188,7 @@ void add_term(const Scene& scene, const SelectorTerm& term, std::vector<H>& resu
             add_where(mesh, result, [&](Face f) { return parts.of_face[f.index] == term.number; });
         } else {
             // The angle between unit vectors from their difference and sum: exact at 0 and 180 degrees, where acos is not.
-            const Vector direction = unit(term.direction);
+            const Vector direction = druse::direction(term.direction);
             add_where(mesh, result, [&](Face f) {
                 const Vector normal = unit_normal(mesh, f);
                 if (glm::dot(normal, normal) == 0.0) return false;

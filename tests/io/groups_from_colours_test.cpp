@@ -75,9 +75,13 @@ TEST(GroupsFromColours, NotesMaterialFilesThatAreNotThere)
 {
     const Model model = coloured_cube({"usemtl a", "usemtl b"}, "mtllib gone.mtl also.mtl\n");
     EXPECT_EQ(groups(model.mesh), (std::vector<int>{1, 2, 2, 2, 2, 2}));
-    EXPECT_EQ(model.notes, (std::vector<std::string>{"gone.mtl and 1 more .mtl file are not there: their colours are unknown"}));
+    EXPECT_EQ(model.notes, (std::vector<std::string>{"gone.mtl and 1 more .mtl file cannot be read: their colours are unknown"}));
     EXPECT_EQ(coloured_cube({"usemtl a"}, "mtllib gone.mtl\nmtllib gone.mtl\n").notes,
-              (std::vector<std::string>{"gone.mtl is not there: its colours are unknown"}));
+              (std::vector<std::string>{"gone.mtl cannot be read: its colours are unknown"}));
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "odd.mtl");
+    EXPECT_EQ(coloured_cube({"usemtl a"}, "mtllib odd.mtl\n", folder.path()).notes,
+              (std::vector<std::string>{"odd.mtl cannot be read: its colours are unknown"}));
 }
 
 TEST(GroupsFromColours, TakesTheColourRecordsOfTopMod)

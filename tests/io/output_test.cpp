@@ -192,5 +192,12 @@ TEST(OutputSet, KeepsTheNotesOfAllWriters)
     EXPECT_EQ(out.notes(), (std::vector<std::string>{"groups are not saved in STL", "2 parallel edges split"}));
 }
 
+TEST(ReadModel, IsCancelledWhileItReads)
+{
+    Progress progress;
+    progress.cancel();
+    EXPECT_THROW(read_model(std::filesystem::path(DRUSE_MODELS) / "cube.obj", progress), Cancelled);
+}
+
 } // namespace
 } // namespace druse::test

@@ -296,6 +296,17 @@ TEST(PatternsFromFiles, AreSoundOrRefusedForEveryShapeAndFace)
     EXPECT_GT(built, 50);
 }
 
+TEST(ExtrudeSolid, SelectsTheTopsWhereOnlySomeFacesGetOne)
+{
+    // A cupola ends in a triangle over six edges, but in an edge over four.
+    Scene scene;
+    scene.mesh = prism(6);
+    run_extrusion(scene, "extrude.solid", {{"faces", "1,7"}, {"solid", "cupola:3"}, {"base", "6"}, {"planar", "off"}});
+    EXPECT_EQ(scene.selection->faces, std::vector<Face>{Face(7)});
+    run_extrusion(scene, "extrude.solid", {{"faces", "2"}, {"solid", "cupola:3"}, {"base", "6"}, {"planar", "off"}});
+    EXPECT_EQ(scene.selection->faces.size(), std::size_t(scene.mesh.valence(Face(7)) + 3)); // no top: all new faces
+}
+
 TEST(PatternsFromFiles, ThatWouldMeetThemselvesOnFewEdgesAreRefused)
 {
     // A cupola over a hexagon with a prism on its triangle: on four edges that prism would stand on two.

@@ -49,7 +49,7 @@ TEST(FaceSelector, TakesGroupsSidesComponentsAndNormals)
     EXPECT_EQ(chosen(scene, "sides:6"), (Ids{0, 7}));
     EXPECT_EQ(chosen(scene, "sides:5"), Ids());
     EXPECT_EQ(chosen(scene, "component:1"), (Ids{8, 9, 10, 11, 12, 13}));
-    EXPECT_EQ(chosen(scene, "normal:0,0,2,0"), (Ids{7, 13}));
+    for (const char* up : {"normal:0,0,2,0", "normal:0,0,1e200,0", "normal:0,0,1e-200,0"}) EXPECT_EQ(chosen(scene, up), (Ids{7, 13}));
     EXPECT_EQ(chosen(scene, "normal:0,0,-1,0.5"), (Ids{0, 8}));
     EXPECT_EQ(chosen(scene, "normal:0,0,1,90").size(), 12u);
     EXPECT_EQ(refused(scene, "group:9"), "no face has group 9");
