@@ -15,7 +15,9 @@ done
 draw fig_13_paired_vertices --size 720x320 --edges --view 12,22 --parallel
 draw fig_16_tier_pairs --size 640x480 --edges --groups --view 25,25
 draw fig_17_four_sides --size 640x400 --edges --view 30,35
+draw fig_18_checkerboard --size 480x460 --edges --groups --view 35,25
 draw fig_19_shared_vertex --size 640x480 --edges --groups --view 180,58.28 --parallel
+draw fig_23_groups --size 560x520 --edges --groups --view 25,20
 draw fig_24_cuboctahedral --size 720x400 --edges --view 20,14 --parallel
 draw fig_24_rhombicuboctahedral --size 720x400 --edges --view 20,14 --parallel
 draw fig_25_towers --size 720x400 --edges --view 20,14 --parallel
@@ -28,3 +30,10 @@ draw fig_28_crown --size 520x480 --edges
 draw fig_28_buds --size 560x520 --edges
 draw fig_28_arms --size 560x520 --edges
 draw fig_28_spikes --size 560x520 --edges
+draw truncation_03_tetrahedron --size 720x280 --edges --groups --view 120,30 --parallel
+for figure in truncation_04_cube truncation_04_dodecahedron truncation_05_octahedron truncation_05_icosahedron; do
+    draw "$figure" --size 640x320 --edges --groups --view 20,25 --parallel
+done
+draw truncation_06_star --size 560x480 --edges --groups --view 30,35
+draw truncation_06_notch --size 560x500 --edges --groups --view 112,32
+draw truncation_08_wall --size 720x440 --groups --view 20,14

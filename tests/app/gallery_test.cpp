@@ -99,5 +99,38 @@ TEST(Gallery, SolidsOfTheFiguresAreThoseOfTheirNames)
     }
 }
 
+TEST(Gallery, TruncatedShapesHaveFlatFacesAndThreeEdgesAtEachVertex)
+{
+    // The first truncation puts a vertex on each half of the E edges, four more put three in place of each: 162 E (Akleman, Edmundson & Özener
+    // 2005, 3.1). The original stands beside it in the pictures of the regular solids, and a truncated tetrahedron in the tetrahedron's.
+    struct Shape {
+        std::uint32_t edges, other_vertices, with_more_edges;
+    };
+    const std::map<std::string, Shape> shapes{{"truncation_03_tetrahedron", {6, 4 + 12, 0}}, {"truncation_04_cube", {12, 8, 0}},
+                                              {"truncation_04_dodecahedron", {30, 20, 0}},   {"truncation_05_octahedron", {12, 6, 6}},
+                                              {"truncation_05_icosahedron", {30, 12, 12}},   {"truncation_06_star", {30, 0, 0}},
+                                              {"truncation_06_notch", {21, 0, 0}}};
+    for (const auto& [name, shape] : shapes) {
+        Document document(all_operators());
+        Progress progress;
+        document.open(fs::path(DRUSE_GALLERY) / (name + ".druse"), progress);
+        const Mesh& mesh = document.scene().mesh;
+        EXPECT_EQ(mesh.vertex_count(), 162 * shape.edges + shape.other_vertices) << name;
+        EXPECT_EQ(std::ranges::count_if(mesh.vertices(), [&](Vertex v) { return mesh.valence(v) != 3; }), shape.with_more_edges) << name;
+        EXPECT_LT(flatness(mesh), 1e-10) << name;
+    }
+}
+
+TEST(Gallery, StonesOfTheWallAreFlat)
+{
+    Document document(all_operators());
+    Progress progress;
+    document.open(fs::path(DRUSE_GALLERY) / "truncation_08_wall.druse", progress);
+    const Mesh& mesh = document.scene().mesh;
+    for (std::uint32_t stone = 0; stone < 37; ++stone) EXPECT_LT(nonplanarity(mesh, Face(stone)), 1e-12) << stone;
+    // The slab has five faces; the first truncation makes one of each of the 80 vertices, the next two make three times as many each.
+    EXPECT_EQ(std::ranges::count_if(mesh.faces(), [&](Face f) { return mesh.group(f) == 4; }), 5 + 80 + 240 + 720);
+}
+
 } // namespace
 } // namespace druse
