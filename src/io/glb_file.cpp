@@ -31,10 +31,12 @@ std::vector<char> all_bytes(ByteSource& source)
     std::vector<char> bytes(static_cast<std::size_t>(std::min(source.size().value_or(1 << 16), largest_file) + 1));
     std::size_t used = 0;
     while (true) {
-        used += source.read(bytes.data() + used, bytes.size() - used);
-        if (used < bytes.size()) break;
+        const std::size_t wanted = std::min(bytes.size() - used, std::size_t(1) << 20); // between reads a person can stop it
+        const std::size_t count = source.read(bytes.data() + used, wanted);
+        used += count;
+        if (count < wanted) break;
         if (used > largest_file) throw InputError(source.name(), fmt::format("is larger than {} bytes", largest_file));
-        bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(2 * std::uint64_t(used), largest_file + 1)));
+        if (used == bytes.size()) bytes.resize(static_cast<std::size_t>(std::min(2 * std::uint64_t(used), largest_file + 1)));
     }
     bytes.resize(used);
     return bytes;

@@ -3,9 +3,11 @@
 #include "dlfl/errors.h"
 #include "dlfl/mesh_builder.h"
 #include "io/face_colours.h"
+#include "io/glb_accessor.h"
 #include "io/glb_colour.h"
 #include "io/glb_file.h"
 #include "io/glb_library.h"
+#include "io/group_materials.h"
 #include "io/materials.h"
 #include "io/point_welder.h"
 #include "io/scan.h"
@@ -15,12 +17,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <map>
-#include <type_traits>
 
 namespace druse {
 
@@ -34,50 +32,6 @@ bool known_extension(std::string_view name)
 {
     return name == "KHR_mesh_quantization" || name == "KHR_lights_punctual" || name == "KHR_texture_transform" ||
            name.starts_with("KHR_materials_");
-}
-
-/// Numbers in the bytes of a buffer; all lie inside.
-struct Values {
-    const char* data = nullptr;
-    std::size_t stride = 0, count = 0;
-    int type = 0;
-    bool normalized = false;
-};
-
-template <class T> double number(const char* at, bool normalized)
-{
-    T value;
-    std::memcpy(&value, at, sizeof value);
-    if constexpr (std::is_integral_v<T>)
-        if (normalized) return std::max(double(value) / std::numeric_limits<T>::max(), -1.0);
-    return value;
-}
-
-double number(const Values& values, const char* at)
-{
-    switch (values.type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-        return number<std::int8_t>(at, values.normalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-        return number<std::uint8_t>(at, values.normalized);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-        return number<std::int16_t>(at, values.normalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        return number<std::uint16_t>(at, values.normalized);
-    default:
-        return number<float>(at, false);
-    }
-}
-
-std::uint32_t index(const Values& values, std::size_t i)
-{
-    const char* const at = values.data + i * values.stride;
-    std::uint32_t value = 0;
-    std::memcpy(&value, at,
-                values.type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 1
-                : values.type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 2
-                                                                        : 4);
-    return value;
 }
 
 class GltfReader {
@@ -96,18 +50,13 @@ private:
     void place_meshes();
     glm::dmat4 matrix(const tinygltf::Node& node, int number) const;
     void check_size() const;
-    Values values(int accessor, int type) const;
-    Values positions(const tinygltf::Primitive& primitive) const;
-    Values indices(const tinygltf::Primitive& primitive) const;
+    GlbValues positions(const tinygltf::Primitive& primitive) const;
+    GlbValues indices(const tinygltf::Primitive& primitive) const;
     bool has_triangles(const tinygltf::Primitive& primitive) const;
     void read_primitive(const tinygltf::Primitive& primitive, const glm::dmat4& place);
     void make_groups(Model& model);
     [[noreturn]] void fail(const std::string& what) const { throw InputError(source_.name(), what); }
-    void check(int index, std::size_t count, const char* what) const
-    {
-        if (index < 0 || static_cast<std::size_t>(index) >= count)
-            fail(fmt::format("there is no {} {}, the file has {}", what, index, count));
-    }
+    void check(int index, std::size_t count, const char* what) const { check_glb_index(index, count, what, source_.name()); }
 
     ByteSource& source_;
     GlbFile file_;
@@ -217,56 +166,22 @@ void GltfReader::place_meshes()
     }
 }
 
-/// The numbers behind an accessor, three at a time for positions, one for indices. Checks that they lie inside of their buffer.
-Values GltfReader::values(int number, int type) const
-{
-    check(number, gltf_.accessors.size(), "accessor");
-    const tinygltf::Accessor& accessor = gltf_.accessors[static_cast<std::size_t>(number)];
-    const bool small = accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-                       accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
-    const bool right = type == TINYGLTF_TYPE_SCALAR ? small || accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT
-                                                    : small || accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT ||
-                                                          accessor.componentType == TINYGLTF_COMPONENT_TYPE_BYTE ||
-                                                          accessor.componentType == TINYGLTF_COMPONENT_TYPE_SHORT;
-    if (accessor.type != type || !right)
-        fail(fmt::format("accessor {} does not hold {}", number, type == TINYGLTF_TYPE_SCALAR ? "indices" : "positions"));
-    if (accessor.sparse.isSparse) fail(fmt::format("accessor {} is sparse, which is not read", number));
-    check(accessor.bufferView, gltf_.bufferViews.size(), "bufferView");
-    const tinygltf::BufferView& view = gltf_.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
-    check(view.buffer, file_.buffers().size(), "buffer");
-    std::string_view bytes = file_.buffers()[static_cast<std::size_t>(view.buffer)];
-    if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset)
-        fail(fmt::format("bufferView {} reaches beyond the {} bytes of its buffer", accessor.bufferView, bytes.size()));
-    bytes = bytes.substr(view.byteOffset, view.byteLength);
-
-    const auto element =
-        static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType))) *
-        (type == TINYGLTF_TYPE_SCALAR ? 1 : 3);
-    const std::size_t stride = view.byteStride == 0 ? element : view.byteStride;
-    const bool inside = accessor.byteOffset <= bytes.size() &&
-                        (accessor.count == 0 || (element <= bytes.size() - accessor.byteOffset &&
-                                                 accessor.count - 1 <= (bytes.size() - accessor.byteOffset - element) / stride));
-    if (stride < element || !inside)
-        fail(fmt::format("accessor {} reaches beyond the {} bytes of its bufferView", number, bytes.size()));
-    return {bytes.data() + accessor.byteOffset, stride, accessor.count, accessor.componentType, accessor.normalized};
-}
-
 bool GltfReader::has_triangles(const tinygltf::Primitive& primitive) const
 {
     return primitive.mode >= TINYGLTF_MODE_TRIANGLES && primitive.mode <= TINYGLTF_MODE_TRIANGLE_FAN &&
            primitive.attributes.contains("POSITION");
 }
 
-Values GltfReader::positions(const tinygltf::Primitive& primitive) const
+GlbValues GltfReader::positions(const tinygltf::Primitive& primitive) const
 {
-    return values(primitive.attributes.at("POSITION"), TINYGLTF_TYPE_VEC3);
+    return glb_positions(gltf_, file_, primitive.attributes.at("POSITION"), source_.name());
 }
 
-/// The indices of a primitive; without any, its corners are its positions, and only the count is set.
-Values GltfReader::indices(const tinygltf::Primitive& primitive) const
+/// The corners of a primitive; without indices they are its positions.
+GlbValues GltfReader::indices(const tinygltf::Primitive& primitive) const
 {
-    if (primitive.indices >= 0) return values(primitive.indices, TINYGLTF_TYPE_SCALAR);
-    return {nullptr, 0, positions(primitive).count, 0, false};
+    if (primitive.indices >= 0) return glb_indices(gltf_, file_, primitive.indices, source_.name());
+    return GlbValues::counted(positions(primitive).count());
 }
 
 void GltfReader::check_size() const
@@ -278,7 +193,7 @@ void GltfReader::check_size() const
         if (its == 0) {
             its = 1;
             for (const tinygltf::Primitive& primitive : gltf_.meshes[static_cast<std::size_t>(instance.mesh)].primitives) {
-                const std::uint64_t count = has_triangles(primitive) ? indices(primitive).count : 0;
+                const std::uint64_t count = has_triangles(primitive) ? indices(primitive).count() : 0;
                 its += 1 + (primitive.mode == TINYGLTF_MODE_TRIANGLES ? count : 3 * count);
             }
         }
@@ -294,16 +209,11 @@ void GltfReader::read_primitive(const tinygltf::Primitive& primitive, const glm:
         return;
     }
     if (primitive.material >= 0) check(primitive.material, gltf_.materials.size(), "material");
-    const Values at = positions(primitive), order = indices(primitive);
-    const std::size_t part =
-        at.type == TINYGLTF_COMPONENT_TYPE_FLOAT
-            ? 4
-            : static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(at.type)));
+    const GlbValues at = positions(primitive), order = indices(primitive);
     const auto corner = [&](std::size_t k) {
-        const std::size_t i = order.data ? index(order, k) : k;
-        if (i >= at.count) fail(fmt::format("a triangle names position {}, its mesh has {}", i, at.count));
-        const char* const bytes = at.data + i * at.stride;
-        const glm::dvec4 p = place * glm::dvec4(number(at, bytes), number(at, bytes + part), number(at, bytes + 2 * part), 1.0);
+        const std::size_t i = order.index(k);
+        if (i >= at.count()) fail(fmt::format("a triangle names position {}, its mesh has {}", i, at.count()));
+        const glm::dvec4 p = place * glm::dvec4(at.position(i), 1.0);
         for (int axis = 0; axis < 3; ++axis)
             if (!(std::abs(p[axis]) <= largest_coordinate))
                 fail(fmt::format("coordinate {}: expected at most {} in size", p[axis], largest_coordinate));
@@ -315,8 +225,9 @@ void GltfReader::read_primitive(const tinygltf::Primitive& primitive, const glm:
         corner(mirrored ? c : b);
         corner(mirrored ? b : c);
         builder_.end_face(primitive.material + 1);
+        if (builder_.face_count() % (1u << 20) == 0) source_.read(nullptr, 0); // all is read, but a person may have enough
     };
-    const std::size_t count = order.count;
+    const std::size_t count = order.count();
     if (primitive.mode == TINYGLTF_MODE_TRIANGLES) {
         if (count % 3 != 0) fail(fmt::format("{} corners are no whole number of triangles", count));
         for (std::size_t i = 0; i < count; i += 3) triangle(i, i + 1, i + 2);
@@ -354,10 +265,8 @@ void GltfReader::make_groups(Model& model)
             if (const Colour c = colour(m); c != GroupTable::default_colour(id)) model.groups.set_colour(id, c);
             const tinygltf::Value& extras = gltf_.materials[m - 1].extras;
             if (!extras.IsObject() || !extras.Has("name") || !extras.Get("name").IsString()) continue;
-            const std::string& name = extras.Get("name").Get<std::string>();
-            const auto ends = [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7f'; };
-            const auto end = std::find_if(name.begin(), name.end(), ends);
-            if (end != name.begin()) model.groups.set_name(id, std::string(name.begin(), end));
+            if (std::string name = group_name_in(extras.Get("name").Get<std::string>()); !name.empty())
+                model.groups.set_name(id, std::move(name));
         }
     } else {
         ColourNumbers colours;

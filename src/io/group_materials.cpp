@@ -18,6 +18,12 @@ std::vector<int> groups_in_use(const Mesh& mesh)
     return used;
 }
 
+std::string group_name_in(std::string_view text)
+{
+    const auto ends = [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7f'; };
+    return {text.begin(), std::find_if(text.begin(), text.end(), ends)};
+}
+
 std::string write_group_materials(const GroupTable& groups, const std::vector<int>& used, OutputFiles& out)
 {
     if (used.empty()) return {};

@@ -4,12 +4,16 @@
 #include "io/output_files.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace druse {
 
 /// The ids that faces carry, in ascending order, each once; empty if no face is grouped, else with 0 if some are not.
 std::vector<int> groups_in_use(const Mesh& mesh);
+
+/// The name of a group as a file gives it: the first word, without bytes that a terminal would obey; may be empty.
+std::string group_name_in(std::string_view text);
 
 /// Writes the colours and names of these groups as materials into the .mtl file beside the output.
 /// @return what to put after `mtllib`; empty if there are no groups or no place for a file (then with a note)

@@ -1,6 +1,7 @@
 #include "io/ply_header.h"
 
 #include "dlfl/errors.h"
+#include "io/group_materials.h"
 #include "io/limits.h"
 #include "io/scan.h"
 
@@ -109,11 +110,12 @@ void HeaderReader::format()
 void HeaderReader::comment()
 {
     if (word() != "group") return;
-    const std::string_view id = word(), name = word();
+    const std::string_view id = word();
+    std::string name = group_name_in(word());
     std::int64_t number = 0;
     const char* const end = scan::integer(id.data(), number);
     if (end != id.data() + id.size() || number < 0 || number > std::numeric_limits<int>::max() || name.empty()) return;
-    header_.group_names.emplace_back(static_cast<int>(number), name);
+    header_.group_names.emplace_back(static_cast<int>(number), std::move(name));
 }
 
 void HeaderReader::element()

@@ -201,6 +201,17 @@ TEST(ReadPly, PassesOverWhatItDoesNotKnow)
               (std::vector<std::string>{"there is more after the last element: passed over"}));
 }
 
+TEST(ReadPly, TakesNoBytesIntoANameThatATerminalWouldObey)
+{
+    std::string text = with_more("", {}, "property int group\n", {"1", "2", "3", "4"});
+    text.insert(text.find("element vertex"),
+                "comment group 1 red\x1b[31m\ncomment group 2 \x1b[31m\ncomment group x y\ncomment group 3\n");
+    const Model model = read_text(text, "ply");
+    EXPECT_EQ(model.groups.name(1), "red");
+    EXPECT_EQ(model.groups.name(2), "");
+    EXPECT_EQ(model.groups.name(3), "");
+}
+
 TEST(ReadPly, TakesCarriageReturnsAndFacesBeforeVertices)
 {
     const std::string faces_first =
