@@ -158,7 +158,7 @@ void GltfReader::place_meshes()
         met[number] = true;
         const tinygltf::Node& node = gltf_.nodes[number];
         const glm::dmat4 place = visit.above * matrix(node, visit.node);
-        if (node.mesh >= 0) {
+        if (node.mesh != -1) {
             check(node.mesh, gltf_.meshes.size(), "mesh");
             instances_.push_back({node.mesh, place});
         }
@@ -180,7 +180,7 @@ GlbValues GltfReader::positions(const tinygltf::Primitive& primitive) const
 /// The corners of a primitive; without indices they are its positions.
 GlbValues GltfReader::indices(const tinygltf::Primitive& primitive) const
 {
-    if (primitive.indices >= 0) return glb_indices(gltf_, file_, primitive.indices, source_.name());
+    if (primitive.indices != -1) return glb_indices(gltf_, file_, primitive.indices, source_.name());
     return GlbValues::counted(positions(primitive).count());
 }
 
@@ -208,7 +208,7 @@ void GltfReader::read_primitive(const tinygltf::Primitive& primitive, const glm:
         ++passed_over_;
         return;
     }
-    if (primitive.material >= 0) check(primitive.material, gltf_.materials.size(), "material");
+    if (primitive.material != -1) check(primitive.material, gltf_.materials.size(), "material");
     const GlbValues at = positions(primitive), order = indices(primitive);
     const auto corner = [&](std::size_t k) {
         const std::size_t i = order.index(k);

@@ -98,6 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"/meshes/0/primitives/0/attributes/POSITION", -1, "there is no accessor -1, the file has 2"},
         Change{"/meshes/0/primitives/0/attributes/POSITION", 1, "accessor 1 does not hold positions"},
         Change{"/meshes/0/primitives/0/material", 0, "there is no material 0, the file has 0"},
+        Change{"/meshes/0/primitives/0/material", -2, "there is no material -2, the file has 0"},
         Change{"/meshes/0/primitives/0/mode", 1, "holds no triangles"},
         Change{"/nodes/0/mesh", 1, "there is no mesh 1, the file has 1"},
         Change{"/nodes/0/children", json::array({0}), "node 0 is in the scene twice"},
