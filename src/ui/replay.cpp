@@ -81,6 +81,7 @@ void Replay::next()
     }
     // The next line comes when the one before has had its effect.
     if (!window_.session().busy()) {
+        const std::size_t number = at_ + 1;
         const std::string line = lines_[at_];
         try {
             if (line.starts_with("wait ")) {
@@ -91,7 +92,7 @@ void Replay::next()
                 play(line);
             }
         } catch (const std::exception& e) {
-            fail(e.what());
+            failure_ = file_ + ":" + std::to_string(number) + ": " + e.what();
         }
     }
     start();
@@ -103,12 +104,6 @@ bool Replay::awaited(const std::string& event)
     events_.clear();
     ticks_waited_ = 0;
     return true;
-}
-
-void Replay::fail(const std::string& what)
-{
-    failure_ = file_;
-    failure_.append(":").append(std::to_string(std::min(at_ + 1, lines_.size()))).append(": ").append(what);
 }
 
 void Replay::play(const std::string& line)

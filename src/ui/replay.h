@@ -29,14 +29,13 @@ public:
     void follow(const std::string& line) { events_.push_back(line); }
     /// What went wrong, with the line; empty if nothing did.
     const std::string& failure() const { return failure_; }
-    std::function<void()> on_end;
+    std::function<void()> on_end; // after the last line, or the first that failed
 
 private:
     static constexpr double tick = 0.01; // seconds
     void next();
     void play(const std::string& line);
     bool awaited(const std::string& event);
-    void fail(const std::string& what);
 
     MainWindow& window_;
     std::string file_;

@@ -102,7 +102,16 @@ int run_window(const WindowOptions& options)
     if (!options.file.empty()) session.open(options.file);
     Fl::check();
     log.write("ready");
-    if (replay) replay->start();
+    const auto close_all = [] {
+        while (Fl_Window* open = Fl::first_window()) open->hide(); // questions too: none of them is answered any more
+    };
+    if (replay) {
+        replay->follow("ready");
+        replay->on_end = [&] {
+            if (!replay->failure().empty()) close_all();
+        };
+        replay->start();
+    }
 
     std::optional<Autosave> autosave;
     if (!options.test) {
@@ -116,7 +125,7 @@ int run_window(const WindowOptions& options)
             autosave->save_now();
             autosave->keep();
         }
-        while (Fl_Window* open = Fl::first_window()) open->hide(); // questions too: none of them is answered any more
+        close_all();
     });
     Fl::run();
     window.on_change = nullptr;

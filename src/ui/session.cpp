@@ -233,7 +233,8 @@ void Session::submit(Request request)
     // While a slider moves only its newest value counts. Nobody waits for an autosave: what comes meanwhile follows it; nor for a
     // count of facts, which gives way and is taken up again later.
     const bool newest = request.task == Request::Task::again && request_.task == Request::Task::again;
-    if (newest || is_background(request_)) {
+    const bool place_is_free = !waiting_ || waiting_->task == Request::Task::again || is_background(*waiting_);
+    if (newest || (is_background(request_) && place_is_free)) {
         waiting_ = std::move(request);
         if (request_.task == Request::Task::count) {
             worker_.cancel();
@@ -382,6 +383,10 @@ void Session::report(const Request& request, const Result& result)
     if (is_background(request)) return;
 
     failed_.clear();
+    if (request.task == Request::Task::open && result.outcome.failed) { // a strict query in the script: nothing was opened
+        say(Message::Kind::error, result.outcome.failure);
+        return;
+    }
     if (request.task != Request::Task::save) bound_.reset();
     follow_saved_state(request, result);
 

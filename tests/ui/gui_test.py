@@ -416,6 +416,12 @@ def replay(druse, folder, pictures):
     check(first == second, f"the histories differ:\n{first}\n{second}")
     check((pictures / "replayed.png").stat().st_size > 1000, "no picture of the replay")
 
+    (folder / "wrong.txt").write_text("wait ready\n# the next line is number 3\nmenu No/Such\n")
+    failed = subprocess.run([str(druse), "--test", "--geometry", "1280x800+0+0", "--replay", str(folder / "wrong.txt"), str(folder / "colored_cube.obj")],
+                            timeout=60, cwd=folder, env=dict(os.environ, HOME=str(folder)), capture_output=True, text=True)
+    check(failed.returncode == 2, f"a recording that cannot be played ends with {failed.returncode}")
+    check("wrong.txt:3: no menu entry 'No/Such'" in failed.stderr, failed.stderr)
+
 
 def sizes(druse, folder, pictures):
     """The window fits its least and its usual size, and can be drawn larger."""

@@ -1,11 +1,13 @@
 #include "ui/session.h"
 
 #include "app/registry.h"
+#include "support/folder.h"
 #include "support/mesh_checks.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <filesystem>
 #include <fstream>
 
 namespace druse::ui {
@@ -371,6 +373,38 @@ TEST(Session, WhileAStepIsAdjustedOnlyTheNewestValueIsKept)
     session.wait();
     EXPECT_EQ(session.display().steps.back(), "make.grid nx=2 ny=1000");
     EXPECT_LT(adjusted, 5);
+}
+
+TEST(Session, WhatIsAskedForDuringAnAutosaveIsDoneOrRefusedButNeverForgotten)
+{
+    const test::Folder folder;
+    Session session(all_operators());
+    session.run("make.grid nx=300 ny=300");
+    session.wait();
+    session.keep_copy(folder / "copy.obj");
+    session.save(folder / "saved.obj");
+    session.run("make.cube");
+    const bool refused = session.message().text.find("still busy") != std::string::npos;
+    session.wait();
+    EXPECT_TRUE(std::filesystem::exists(folder / "copy.obj"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "saved.obj"));
+    EXPECT_EQ(session.display().steps.size(), refused ? 1u : 2u);
+}
+
+TEST(Session, AScriptWhoseStrictQueryFailsIsNotOpened)
+{
+    const test::Folder folder;
+    folder.write("strict.druse", "make.cube\nmesh.transform vertices=0 move=0.3,0,0\ncheck.planarity strict=true\n");
+    Session session(all_operators());
+    session.run("make.cube size=3");
+    session.wait();
+    session.open(folder / "strict.druse");
+    session.wait();
+    EXPECT_EQ(session.message().kind, Message::Kind::error);
+    EXPECT_NE(session.message().text.find("check.planarity: found something wrong"), std::string::npos) << session.message().text;
+    EXPECT_TRUE(session.file().empty());
+    EXPECT_TRUE(session.is_changed());
+    EXPECT_EQ(session.display().steps, std::vector<std::string>{"make.cube size=3"});
 }
 
 TEST(Session, TheFactsOfALargeMeshAreCountedOnDemand)
