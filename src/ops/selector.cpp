@@ -44,7 +44,7 @@ SelectorTerm parse_term(std::string_view text)
             term.kind = Kind::normal;
             term.direction = {parse_number(pieces[0]), parse_number(pieces[1]), parse_number(pieces[2])};
             term.angle = parse_number(pieces[3]);
-            if (glm::length(term.direction) == 0.0 || term.angle < 0.0 || term.angle > 180.0)
+            if (direction(term.direction) == Vector(0.0) || term.angle < 0.0 || term.angle > 180.0)
                 throw CommandError("expected normal:x,y,z,angle with a direction and an angle of 0 to 180 degrees");
             return term;
         }

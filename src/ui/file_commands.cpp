@@ -65,9 +65,10 @@ bool FileCommands::save_to(const std::filesystem::path& file)
 
 bool FileCommands::save()
 {
-    // An STL file forgets groups and polygons: whoever opened one is asked where to keep them.
+    // Some formats know triangles only: whoever opened such a file is asked where to keep the polygons.
     const std::filesystem::path& file = session_.file();
-    if (file.empty() || file.extension() == ".stl") return save_as();
+    const auto is = [&file](const char* extension) { return file.extension() == extension; };
+    if (file.empty() || is(".stl") || is(".glb") || is(".gltf")) return save_as();
     return save_to(file);
 }
 

@@ -2,27 +2,23 @@
 
 #include "app/registry.h"
 #include "dlfl/errors.h"
+#include "support/folder.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
 namespace druse {
 namespace {
 
 class Presets : public testing::Test {
 protected:
-    Presets() : file(std::filesystem::path(testing::TempDir()) / "druse_preset_test" / "presets") { std::filesystem::remove_all(file.parent_path()); }
-    std::string text() const
-    {
-        std::ostringstream out;
-        out << std::ifstream(file).rdbuf();
-        return out.str();
-    }
+    Presets() : file(folder / "settings/presets") {}
+    std::string text() const { return folder.read("settings/presets"); }
     static const Operator& op(const char* name) { return all_operators().get(name); }
 
-    std::filesystem::path file;
+    const test::Folder folder;
+    const std::filesystem::path file; // not there yet, nor is its folder
 };
 
 TEST_F(Presets, AreKeptFromOneDayToTheNext)

@@ -1,6 +1,7 @@
 #include "ui/autosave.h"
 
 #include "app/registry.h"
+#include "support/folder.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +14,7 @@ namespace {
 
 class AutosaveTest : public testing::Test {
 protected:
-    AutosaveTest() : folder(std::filesystem::path(testing::TempDir()) / "druse_autosave_test"), session(all_operators())
-    {
-        std::filesystem::remove_all(folder);
-    }
+    AutosaveTest() : folder(room / "kept"), session(all_operators()) {}
     void run(const char* command)
     {
         session.run(command);
@@ -24,7 +22,8 @@ protected:
     }
     std::size_t files() const { return std::size_t(std::distance(std::filesystem::directory_iterator(folder), {})); }
 
-    std::filesystem::path folder;
+    const test::Folder room;
+    const std::filesystem::path folder; // not there yet
     Session session;
 };
 
@@ -91,7 +90,7 @@ TEST_F(AutosaveTest, TheCopyGoesWhenTheWorkIsSaved)
     EXPECT_EQ(files(), 3u);
     autosave.follow();
     EXPECT_EQ(files(), 3u);
-    session.save(std::filesystem::path(testing::TempDir()) / "druse_autosave_test.obj");
+    session.save(room / "saved.obj");
     session.wait();
     autosave.follow();
     EXPECT_EQ(files(), 1u); // the lock

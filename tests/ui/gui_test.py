@@ -271,7 +271,7 @@ def cancel(druse, folder, pictures):
     window.keys("Return")
     window.wait("applied extrude.cubical faces=10")
 
-    for command in ("make.torus nu=400 nv=400", "remesh.catmull_clark iterations=2"):  # the second takes its time
+    for command in ("make.torus nu=380 nv=380", "remesh.catmull_clark iterations=3"):  # the second takes its time
         window.keys("ctrl+p")
         time.sleep(0.5)
         window.type(command)
