@@ -1,8 +1,11 @@
 #include "dlfl/storage.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <new>
 #include <utility>
 
@@ -56,6 +59,68 @@ std::byte* remap(std::byte* block, std::size_t bytes, std::size_t longer)
     return static_cast<std::byte*>(p);
 }
 
+struct Block {
+    std::byte* data = nullptr;
+    std::size_t bytes = 0;
+};
+
+constexpr std::size_t most_kept = std::size_t(1) << 30; // bytes
+
+/// Mapped blocks that nobody uses, the oldest first, for the next column that needs one: a dragged slider makes the same mesh again and
+/// again, and pages that the system has to clear each time would be a third of the work. Meanwhile the system may take their pages for
+/// others that need memory. Columns are made and dropped on several threads.
+class KeptBlocks {
+public:
+    /// `bytes` of the smallest block that has as many, and not over twice that; else nothing.
+    std::byte* take(std::size_t bytes) noexcept
+    {
+        const std::lock_guard lock(mutex_);
+        std::size_t best = count_;
+        for (std::size_t i = 0; i < count_; ++i)
+            if (blocks_[i].bytes >= bytes && blocks_[i].bytes <= 2 * bytes && (best == count_ || blocks_[i].bytes < blocks_[best].bytes)) best = i;
+        if (best == count_) return nullptr;
+        const Block block = remove(best);
+        if (block.bytes > bytes) munmap(block.data + bytes, block.bytes - bytes); // so that capacities never depend on what was before
+        return block.data;
+    }
+
+    void give(Block block) noexcept
+    {
+        if (block.bytes > most_kept) {
+            munmap(block.data, block.bytes);
+            return;
+        }
+        madvise(block.data, block.bytes, MADV_FREE);
+        const std::lock_guard lock(mutex_);
+        while (count_ == blocks_.size() || bytes_ + block.bytes > most_kept) {
+            const Block oldest = remove(0);
+            munmap(oldest.data, oldest.bytes);
+        }
+        blocks_[count_++] = block;
+        bytes_ += block.bytes;
+    }
+
+private:
+    Block remove(std::size_t at) noexcept
+    {
+        const Block block = blocks_[at];
+        std::copy(blocks_.begin() + at + 1, blocks_.begin() + count_, blocks_.begin() + at);
+        --count_;
+        bytes_ -= block.bytes;
+        return block;
+    }
+
+    std::mutex mutex_;
+    std::array<Block, 64> blocks_; // a mesh has eleven columns
+    std::size_t count_ = 0, bytes_ = 0;
+};
+
+KeptBlocks& kept_blocks()
+{
+    static constinit KeptBlocks blocks;
+    return blocks;
+}
+
 } // namespace
 
 Storage::Storage(Storage&& other) noexcept
@@ -79,7 +144,7 @@ Storage::~Storage() { release(); }
 
 void Storage::release()
 {
-    if (mapped_) munmap(data_, capacity_);
+    if (mapped_) kept_blocks().give({data_, capacity_});
     else std::free(data_);
 }
 
@@ -88,13 +153,15 @@ void Storage::reserve(std::size_t bytes)
     if (bytes <= capacity_) return;
     if (use_mapping && bytes >= least_mapped) {
         const std::size_t rounded = (bytes + huge_page - 1) / huge_page * huge_page;
-        if (mapped_) {
+        const bool copies_less = rounded >= 2 * capacity_; // than the system would have to clear
+        std::byte* block = copies_less ? kept_blocks().take(rounded) : nullptr;
+        if (mapped_ && !block) {
             data_ = remap(data_, capacity_, rounded);
         } else {
-            std::byte* p = map(rounded);
-            if (capacity_ > 0) std::memcpy(p, data_, capacity_);
-            std::free(data_);
-            data_ = p;
+            if (!block) block = map(rounded);
+            if (capacity_ > 0) std::memcpy(block, data_, capacity_);
+            release();
+            data_ = block;
             mapped_ = true;
         }
         capacity_ = rounded;
