@@ -10,8 +10,8 @@ __extension__ using Count = unsigned __int128; // at most 2³² · 9²⁰
 
 void refuse_more_than_most(Count edges)
 {
-    constexpr std::uint64_t most = 20'000'000;
-    if (edges > most) throw CommandError(fmt::format("would make {} edges", edges));
+    constexpr std::uint64_t millions = 20;
+    if (edges > millions * 1'000'000) throw CommandError(fmt::format("would make {} edges, more than {} million", edges, millions));
 }
 
 } // namespace

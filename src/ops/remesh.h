@@ -292,7 +292,7 @@ private:
     MeshTables tables_;
 };
 
-/// @throws CommandError `would make N edges` if N, after `iterations` steps of that growth, is more than 20 million
+/// @throws CommandError `would make N edges, more than 20 million` if N, after `iterations` steps of that growth, is more than 20 million
 void refuse_too_large(std::uint64_t edges, std::size_t growth, int iterations);
 /// The same where a step adds `n` edges for each of `found` faces with n sides, or vertices with n edges. It makes others with three
 /// in their place, so that further steps do nothing unless n is 3.
