@@ -268,8 +268,8 @@ struct GroupBy {
     enum class Rule { sides, components, normal, area, color } rule = Rule::sides;
     double angle = 1;
     int start = 1;
-    bool absolute = false;
-    int tolerance = 0;
+    std::optional<bool> absolute; // given with their rule only
+    std::optional<int> tolerance;
 };
 struct ColourGroup {
     OrWord<int> id;
@@ -306,17 +306,17 @@ void merge_groups(Scene& scene, const MergeGroups& p, Context&)
 void group_by(Scene& scene, const GroupBy& p, Context&)
 {
     using Rule = GroupBy::Rule;
-    if (p.absolute && p.rule != Rule::sides) throw CommandError("absolute=true: goes with rule=sides only");
-    if (p.tolerance != 0 && p.rule != Rule::color) throw CommandError(fmt::format("tolerance={}: goes with rule=color only", p.tolerance));
+    if (p.absolute && p.rule != Rule::sides) throw CommandError(fmt::format("absolute={}: goes with rule=sides only", *p.absolute));
+    if (p.tolerance && p.rule != Rule::color) throw CommandError(fmt::format("tolerance={}: goes with rule=color only", *p.tolerance));
     switch (p.rule) {
     case Rule::sides:
-        if (!p.absolute) return group_by_sides(scene.mesh, p.start);
+        if (!p.absolute.value_or(false)) return group_by_sides(scene.mesh, p.start);
         for (const Face f : scene.mesh.faces()) scene.mesh.set_group(f, scene.mesh.valence(f));
         return;
     case Rule::components: return group_by_component(scene.mesh, p.start);
     case Rule::normal: return group_by_normal(scene.mesh, p.angle, p.start);
     case Rule::area: return group_by_area(scene.mesh, p.start);
-    case Rule::color: return group_by_colour(scene, p.tolerance, p.start);
+    case Rule::color: return group_by_colour(scene, p.tolerance.value_or(0), p.start);
     }
 }
 
@@ -386,8 +386,8 @@ void register_group(Registry& registry)
                      .required()
                      .param(&GroupBy::angle, "angle", Unit::degrees, {0, 180}, "with rule=normal: largest angle from the first face of a group")
                      .param(&GroupBy::start, "start", Unit::id, {1, double(largest_id)}, "the first id")
-                     .param(&GroupBy::absolute, "absolute", "with rule=sides: the id is the number of sides")
-                     .param(&GroupBy::tolerance, "tolerance", Unit::count, {0, 255}, "with rule=color: largest difference in each 8-bit channel")
+                     .param(&GroupBy::absolute, "absolute", "with rule=sides only: true makes the number of sides the id")
+                     .param(&GroupBy::tolerance, "tolerance", Unit::count, {0, 255}, "with rule=color only: largest difference in each 8-bit channel, 0 unless given")
                      .example("group.by rule=normal angle=5")
                      .cites("Landreneau 2005, III.5 and IV.4")
                      .keeps_euler()

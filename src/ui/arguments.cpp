@@ -17,7 +17,8 @@ void Arguments::set(std::string_view parameter, std::string_view text)
 {
     const Parameter* p = operator_->find(parameter);
     ASSERT(p, "a parameter of the operator");
-    if (text.empty() || text == p->default_text) {
+    const bool off = p->optional && p->type == Parameter::Type::toggle && text == "false"; // a switch that may stay unset is so when off
+    if (text.empty() || text == p->default_text || off) {
         if (const auto it = given_.find(parameter); it != given_.end()) given_.erase(it);
         return;
     }

@@ -94,6 +94,10 @@ TEST(GroupBy, SidesAscend)
     EXPECT_EQ(after(scene, "group.by", {{"rule", "sides"}, {"absolute", "true"}}), (Groups{6, 4, 4, 4, 4, 4, 4, 6}));
     EXPECT_EQ(complaint(scene, "group.by", {{"rule", "area"}, {"absolute", "true"}}), "absolute=true: goes with rule=sides only");
     EXPECT_EQ(complaint(scene, "group.by", {{"rule", "sides"}, {"tolerance", "3"}}), "tolerance=3: goes with rule=color only");
+    // Also with the value that they have unless given.
+    EXPECT_EQ(complaint(scene, "group.by", {{"rule", "components"}, {"absolute", "false"}}), "absolute=false: goes with rule=sides only");
+    EXPECT_EQ(complaint(scene, "group.by", {{"rule", "area"}, {"tolerance", "0"}}), "tolerance=0: goes with rule=color only");
+    EXPECT_EQ(after(scene, "group.by", {{"rule", "sides"}, {"absolute", "false"}}), after(scene, "group.by", {{"rule", "sides"}}));
     EXPECT_EQ(complaint(scene, "group.by", {{"rule", "sides"}, {"start", "0"}}), "expected 1 to 2147483647 (an integer)");
     EXPECT_EQ(complaint(scene, "group.by", {{"rule", "colour"}}), "expected sides, components, normal, area or color");
 }
