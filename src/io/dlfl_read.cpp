@@ -222,7 +222,7 @@ void DlflReader::make_groups(Model& model)
 {
     Materials materials;
     if (!library_.empty()) materials.read_library(source_, library_);
-    if (std::string missing = materials.missing_files(); !missing.empty()) model.notes.push_back(std::move(missing));
+    for (std::string& note : materials.notes()) model.notes.push_back(std::move(note));
     if (has_groups_) {
         paints_.colour_groups(face_paints_, groups_, materials, model.groups);
     } else {

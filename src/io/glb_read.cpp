@@ -2,12 +2,14 @@
 
 #include "dlfl/errors.h"
 #include "dlfl/mesh_builder.h"
+#include "io/build_mesh.h"
 #include "io/face_colours.h"
 #include "io/glb_accessor.h"
 #include "io/glb_colour.h"
 #include "io/glb_file.h"
 #include "io/glb_library.h"
 #include "io/group_materials.h"
+#include "io/limits.h"
 #include "io/materials.h"
 #include "io/point_welder.h"
 #include "io/scan.h"
@@ -298,14 +300,7 @@ Model GltfReader::read()
         model.notes.push_back(
             fmt::format("{} part{} without triangles: passed over", passed_over_, passed_over_ == 1 ? "" : "s"));
     make_groups(model);
-    Repairs repairs;
-    try {
-        model.mesh = builder_.build(repairs);
-    } catch (const CommandError& error) {
-        fail(error.what());
-    }
-    repairs.loose_vertices = 0; // corners of triangles left out, not something the file lists
-    for (std::string& note : repairs.notes()) model.notes.push_back(std::move(note));
+    build_mesh(builder_, source_, model, most_elements); // loose vertices are corners of triangles left out, not something the file lists
     return model;
 }
 

@@ -28,6 +28,26 @@ bool take_word(std::string_view& line, std::string_view word)
     return true;
 }
 
+/// The colour `r g b`, or `r` for a grey; nothing, and `wrong` the place, where something is no number.
+std::optional<Colour> colour_at(const char* at, const char*& wrong)
+{
+    double channel[3] = {0, 0, 0};
+    for (int i = 0; i < 3; ++i) {
+        while (scan::is_blank(*at)) ++at;
+        if (i > 0 && *at == '\n') {
+            channel[i] = channel[0];
+            continue;
+        }
+        const char* const after = scan::number(at, channel[i]);
+        if (!after || !scan::ends_word(*after)) {
+            wrong = at;
+            return std::nullopt;
+        }
+        at = after;
+    }
+    return colour_from_unit(channel[0], channel[1], channel[2]);
+}
+
 } // namespace
 
 void Materials::read_library(const ByteSource& model, std::string_view names)
@@ -73,35 +93,29 @@ void Materials::read(ByteSource& file)
                 current = &by_name_[std::string(line)];
                 *current = {};
             } else if (current && take_word(line, "Kd")) {
-                // `Kd r` is a grey; `Kd spectral …` and `Kd xyz …` say nothing in red, green and blue.
-                double channel[3] = {0, 0, 0};
-                const char* at = line.data();
+                // `Kd spectral …` and `Kd xyz …` say nothing in red, green and blue.
                 if (take_word(line, "spectral") || take_word(line, "xyz")) continue;
-                for (int i = 0; i < 3; ++i) {
-                    at = scan::skip_blanks(at, line_number);
-                    if (i > 0 && *at == '\n') {
-                        channel[i] = channel[0];
-                        continue;
-                    }
-                    const char* after = scan::number(at, channel[i]);
-                    if (!after || !scan::ends_word(*after))
-                        throw InputError(file.name(), line_number,
-                                         fmt::format("Kd: expected a number, found {}", scan::quoted_word(at)));
-                    at = after;
-                }
-                current->colour = colour_from_unit(channel[0], channel[1], channel[2]);
+                const char* wrong = nullptr;
+                current->colour = colour_at(line.data(), wrong);
+                if (wrong && malformed_++ == 0)
+                    first_malformed_ = fmt::format("{}:{}: Kd: expected a number, found {}", file.name(), line_number, scan::quoted_word(wrong));
             } else if (current && take_word(line, "#") && take_word(line, "name")) {
                 current->group_name = std::string(line.substr(0, line.find_first_of(" \t")));
             }
         }
 }
 
-std::string Materials::missing_files() const
+std::vector<std::string> Materials::notes() const
 {
-    if (missing_.empty()) return {};
-    if (missing_.size() == 1) return fmt::format("{} cannot be read: its colours are unknown", missing_[0]);
-    return fmt::format("{} and {} more .mtl file{} cannot be read: their colours are unknown", missing_[0], missing_.size() - 1,
-                       missing_.size() == 2 ? "" : "s");
+    std::vector<std::string> notes;
+    const auto more = [](std::size_t count) { return count == 1 ? "" : "s"; };
+    if (missing_.size() == 1) notes.push_back(fmt::format("{} cannot be read: its colours are unknown", missing_[0]));
+    if (missing_.size() > 1)
+        notes.push_back(fmt::format("{} and {} more .mtl file{} cannot be read: their colours are unknown", missing_[0], missing_.size() - 1,
+                                    more(missing_.size() - 1)));
+    if (malformed_ == 1) notes.push_back(fmt::format("{}: the colour is unknown", first_malformed_));
+    if (malformed_ > 1) notes.push_back(fmt::format("{}: this and {} more colour{} are unknown", first_malformed_, malformed_ - 1, more(malformed_ - 1)));
+    return notes;
 }
 
 const Material* Materials::find(std::string_view name) const

@@ -3,6 +3,7 @@
 #include "geom/colour.h"
 #include "io/byte_source.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -27,19 +28,20 @@ struct NameHash {
 class Materials {
 public:
     /// Reads the files named after `mtllib`: one name with blanks in it, if there is such a file, or else several names.
-    /// Throws InputError for a number that is none.
     void read_library(const ByteSource& model, std::string_view names);
     /// Reads one file.
     void read(ByteSource& file);
 
     const Material* find(std::string_view name) const;
 
-    /// Says which of the files named were not there; empty if all were.
-    std::string missing_files() const;
+    /// Says which of the files named were not there, and where a colour was none; its material is then known by its name only.
+    std::vector<std::string> notes() const;
 
 private:
     std::unordered_map<std::string, Material, NameHash, std::equal_to<>> by_name_;
     std::vector<std::string> missing_;
+    std::string first_malformed_; // where, and what was found
+    std::uint64_t malformed_ = 0;
 };
 
 /// `group_<id>`, the material of a group as our own writers call it.

@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "dlfl/mesh_builder.h"
+#include "io/build_mesh.h"
 #include "io/face_colours.h"
 #include "io/limits.h"
 #include "io/scan.h"
@@ -326,19 +327,7 @@ Model ObjReader::read()
     make_groups(model);
     if (!lines_.empty()) make_graph(model);
 
-    Repairs repairs;
-    const std::uint32_t on_lines_only = lines_.empty() ? 0 : count_on_lines_only();
-    if (builder_.face_count() > 0) {
-        try {
-            model.mesh = builder_.build(repairs);
-        } catch (const CommandError& error) {
-            throw InputError(source_.name(), error.what());
-        }
-    } else {
-        repairs.loose_vertices = builder_.vertex_count();
-    }
-    repairs.loose_vertices -= on_lines_only;
-    for (std::string& note : repairs.notes()) model.notes.push_back(std::move(note));
+    build_mesh(builder_, source_, model, lines_.empty() ? 0 : count_on_lines_only());
     return model;
 }
 
@@ -353,7 +342,7 @@ void ObjReader::make_groups(Model& model)
 {
     Materials materials;
     for (const std::string& names : libraries_) materials.read_library(source_, names);
-    if (std::string missing = materials.missing_files(); !missing.empty()) model.notes.push_back(std::move(missing));
+    for (std::string& note : materials.notes()) model.notes.push_back(std::move(note));
     if (paints_.to_groups(builder_.groups(), materials, model.groups) || vertex_colours_.size() == 0) return;
     if (brightest_ > 1) {
         for (std::uint32_t v = 0; v < vertex_colours_.size(); ++v) vertex_colours_.set(v, vertex_colours_[v] / 255.0);

@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "dlfl/mesh_builder.h"
+#include "io/build_mesh.h"
 #include "io/face_colours.h"
 #include "io/limits.h"
 #include "io/text_lines.h"
@@ -157,13 +158,7 @@ Model OffReader::read()
         groups_from_vertex_colours(builder_.corners(), builder_.face_ends(), vertex_colours_.view(), builder_.groups(),
                                    model.groups);
     }
-    Repairs repairs;
-    try {
-        model.mesh = builder_.build(repairs);
-    } catch (const CommandError& error) {
-        throw InputError(source_.name(), error.what());
-    }
-    for (std::string& note : repairs.notes()) model.notes.push_back(std::move(note));
+    build_mesh(builder_, source_, model);
     return model;
 }
 

@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "dlfl/mesh_builder.h"
+#include "io/build_mesh.h"
 #include "io/face_colours.h"
 #include "io/limits.h"
 #include "io/ply_header.h"
@@ -261,13 +262,7 @@ Model PlyReader::read()
     Model model;
     model.notes = std::move(notes_);
     make_groups(model);
-    Repairs repairs;
-    try {
-        model.mesh = builder_.build(repairs);
-    } catch (const CommandError& error) {
-        throw InputError(source_.name(), error.what());
-    }
-    for (std::string& note : repairs.notes()) model.notes.push_back(std::move(note));
+    build_mesh(builder_, source_, model);
     return model;
 }
 

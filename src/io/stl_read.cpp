@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "dlfl/mesh_builder.h"
+#include "io/build_mesh.h"
 #include "io/limits.h"
 #include "io/point_welder.h"
 #include "io/scan.h"
@@ -200,14 +201,7 @@ Model StlReader::finish()
     if (builder_.face_count() == 0) throw InputError(source_.name(), "holds no triangles");
     Model model;
     model.notes = std::move(notes_);
-    Repairs repairs;
-    try {
-        model.mesh = builder_.build(repairs);
-    } catch (const CommandError& error) {
-        throw InputError(source_.name(), error.what());
-    }
-    repairs.loose_vertices = 0; // corners of facets left out, not something the file lists
-    for (std::string& note : repairs.notes()) model.notes.push_back(std::move(note));
+    build_mesh(builder_, source_, model, most_elements); // loose vertices are corners of facets left out, not something the file lists
     return model;
 }
 

@@ -84,6 +84,20 @@ TEST(GroupsFromColours, NotesMaterialFilesThatAreNotThere)
               (std::vector<std::string>{"odd.mtl cannot be read: its colours are unknown"}));
 }
 
+TEST(GroupsFromColours, KnowsAMaterialWhoseColourIsNoneByItsName)
+{
+    const TemporaryFolder folder;
+    put_contents(folder / "a.mtl", "newmtl red\nKd 1 0 0\nnewmtl odd\nKd 1 x 0\nnewmtl ruby\nKd 1 0 0\n");
+    const Model model = coloured_cube({"usemtl odd", "usemtl red", "usemtl ruby", "usemtl odd"}, "mtllib a.mtl\n", folder.path());
+    EXPECT_EQ(groups(model.mesh), (std::vector<int>{1, 2, 2, 1, 1, 1}));
+    EXPECT_EQ(model.groups.colour(1), GroupTable::default_colour(1));
+    const std::string where = (folder / "a.mtl").string();
+    EXPECT_EQ(model.notes, (std::vector<std::string>{where + ":4: Kd: expected a number, found 'x': the colour is unknown"}));
+    put_contents(folder / "a.mtl", "newmtl red\nKd\nnewmtl odd\nKd 1 0 -\n");
+    EXPECT_EQ(coloured_cube({"usemtl red", "usemtl odd"}, "mtllib a.mtl\n", folder.path()).notes,
+              (std::vector<std::string>{where + ":2: Kd: expected a number, found the end of the line: this and 1 more colour are unknown"}));
+}
+
 TEST(GroupsFromColours, TakesTheColourRecordsOfTopMod)
 {
     const TemporaryFolder folder;

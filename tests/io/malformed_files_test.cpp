@@ -241,12 +241,12 @@ std::vector<Malformed> offs()
 }
 INSTANTIATE_TEST_SUITE_P(Off, EveryMalformedFile, testing::ValuesIn(offs()));
 
-TEST(MalformedFiles, SayWhatIsWrongWithAMaterialFile)
+TEST(MalformedFiles, WhoseFacesAreAllDegenerateHoldNone)
 {
-    const TemporaryFolder folder;
-    put_contents(folder / "a.mtl", "newmtl a\nKd 1 x 0\n");
-    EXPECT_EQ(error_of([&] { read_text("mtllib a.mtl\n" + four_points + tetrahedron_faces, "obj", folder.path()); }),
-              (folder / "a.mtl").string() + ":2: Kd: expected a number, found 'x'");
+    const std::string none = ": holds no faces with three different corners";
+    EXPECT_EQ(error_of([&] { read_text(four_points + "f 1 1 2\nf 3 4 4\n", "obj"); }), "test.obj" + none);
+    EXPECT_EQ(error_of([&] { read_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n", "off"); }), "test.off" + none);
+    EXPECT_EQ(read_text(four_points + "f 1 1 2\nl 1 2\n", "obj").graph->edges.size(), 1u); // but a graph is something
 }
 
 TEST(MalformedFiles, SayThatASurfaceIsOneSided)
