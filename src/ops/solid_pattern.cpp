@@ -3,7 +3,7 @@
 #include "dlfl/errors.h"
 #include "dlfl/measures.h"
 #include "ops/extrude_frame.h"
-#include "ops/point_finder.h"
+#include "ops/solid_symmetry.h"
 
 #include <fmt/format.h>
 #include <glm/mat3x3.hpp>
@@ -16,22 +16,16 @@ namespace druse {
 
 namespace {
 
-constexpr double full = 2.0 * pi;
-
 /// Elevations and distances that count as equal, in mean edges of the base. Numbers in files are often cut short.
 double reach_of(const PatternChoice& choice) { return choice.exact ? 1e-6 : 1e-4; }
 
 /// Reads one solid from one base face. The steps are those of SolidPattern's reading, in order; each uses what the ones before left.
-class Reader {
+class Reader : StandingSolid {
 public:
     Reader(const Mesh& solid, Face base, const PatternChoice& choice)
-        : solid_(solid), base_(base), choice_(choice), same_place_(reach_of(choice)), same_azimuth_(choice.exact ? radians(1e-6) : 1e-4)
+        : StandingSolid(solid, base, reach_of(choice), choice.mirror), choice_(choice), same_azimuth_(choice.exact ? radians(1e-6) : 1e-4)
     {
-        stand_on_base();
     }
-
-    /// Whether the turn by 360°/k carries the solid into itself.
-    bool turns(int k) { return !turned_vertices(k).empty(); }
 
     SolidPattern read(int turns)
     {
@@ -41,7 +35,7 @@ public:
         same_azimuth_ = std::min(same_azimuth_, 0.01 * wedge_angle());
         next_ = turned_vertices(turns);
         if (next_.empty()) wraps();
-        if (!choice_.exact) average_turns();
+        if (!choice_.exact) average_turns(next_, turns);
         refuse_below_base();
         turn_to_phase();
         find_orbits();
@@ -52,36 +46,8 @@ public:
     }
 
 private:
-    int sides() const { return static_cast<int>(foot_.size()); }
     int wedges() const { return pattern_.turns; }
     double wedge_angle() const { return full / pattern_.turns; }
-
-    // --- the frame: base in z = 0, the solid above, mean base edge 1 ---------------------------------------------------------
-
-    void stand_on_base()
-    {
-        for (const Corner c : solid_.corners(base_)) {
-            foot_.push_back(solid_.vertex(c).index);
-            wall_.push_back(solid_.face(solid_.opposite(c)));
-        }
-        const Point origin = vertex_mean(solid_, base_);
-        double edge = 0.0;
-        for (const Corner c : solid_.corners(base_)) edge += length(solid_, solid_.edge(c)) / sides();
-        if (sides() < 3 || !(edge > 0.0) || !(area(solid_, base_) > 0.0)) throw CommandError(fmt::format("face {} of the solid has no area", base_.index));
-        const Vector up = -unit_normal(solid_, base_);
-        const Vector start = solid_.position(Vertex(foot_[0])) - origin;
-        const Vector x = unit(start - glm::dot(start, up) * up, 0.0, glm::cross(up, std::abs(up.x) < 0.7 ? Vector(1, 0, 0) : Vector(0, 1, 0)));
-        const Vector y = (choice_.mirror ? -1.0 : 1.0) * glm::cross(up, x);
-        for (const Vertex v : solid_.vertices()) {
-            const Vector d = (solid_.position(v) - origin) / edge;
-            place_.emplace_back(glm::dot(d, x), glm::dot(d, y), glm::dot(d, up));
-            if (const Point& p = place_.back(); !std::isfinite(p.x + p.y + p.z)) throw CommandError("the solid is too large for its base face");
-        }
-        // From above the base runs clockwise, unless the mirror has turned it round already.
-        if (choice_.mirror) return;
-        std::reverse(foot_.begin() + 1, foot_.end());
-        std::ranges::reverse(wall_);
-    }
 
     void refuse_below_base() const
     {
@@ -89,67 +55,6 @@ private:
         for (const std::uint32_t v : foot_) in_base[v] = true;
         for (std::size_t v = 0; v < place_.size(); ++v)
             if (place_[v].z < -same_place_ || (!in_base[v] && place_[v].z <= same_place_)) throw CommandError("the solid reaches below its base face");
-    }
-
-    // --- symmetry ----------------------------------------------------------------------------------------------------------------
-
-    static Point turned(const Point& p, double angle)
-    {
-        const double c = std::cos(angle), s = std::sin(angle);
-        return {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
-    }
-
-    /// Where the turn by 360°/k carries each vertex; empty if it does not carry the solid, vertices and faces, into itself.
-    std::vector<std::uint32_t> turned_vertices(int k)
-    {
-        std::vector<std::uint32_t> image(place_.size());
-        if (k == 1) {
-            for (std::uint32_t v = 0; v < image.size(); ++v) image[v] = v;
-            return image;
-        }
-        if (!finder_) finder_.emplace(place_, same_place_);
-        std::vector<bool> taken(place_.size(), false);
-        for (std::uint32_t v = 0; v < image.size(); ++v) {
-            image[v] = finder_->find(turned(place_[v], full / k), same_place_);
-            if (image[v] == Vertex::none || taken[image[v]]) return {};
-            taken[image[v]] = true;
-        }
-        // Faces go to faces if sides go to sides, and what follows a side in its face follows its image.
-        for (const Face f : solid_.faces())
-            for (const Corner c : solid_.corners(f)) {
-                const Corner there = side(image[solid_.vertex(c).index], image[solid_.target(c).index]);
-                if (!there.valid() || solid_.target(solid_.next(there)).index != image[solid_.target(solid_.next(c)).index]) return {};
-            }
-        return image;
-    }
-
-    /// The corner whose side runs from one vertex to another; at most one, as no two edges join the same vertices.
-    Corner side(std::uint32_t from, std::uint32_t to)
-    {
-        if (sides_.empty()) {
-            for (const Face f : solid_.faces())
-                for (const Corner c : solid_.corners(f)) sides_.push_back({solid_.vertex(c).index, solid_.target(c).index, c});
-            std::ranges::sort(sides_, {}, &Side::ends);
-        }
-        const auto found = std::ranges::lower_bound(sides_, std::pair(from, to), {}, &Side::ends);
-        return found != sides_.end() && found->ends() == std::pair(from, to) ? found->corner : Corner();
-    }
-
-    /// Makes the symmetry of coordinates from a file exact: every vertex becomes the mean of its images, turned back.
-    void average_turns()
-    {
-        std::vector<bool> done(place_.size(), false);
-        for (std::uint32_t v = 0; v < place_.size(); ++v) {
-            if (done[v]) continue;
-            Point mean(0.0);
-            std::uint32_t w = v;
-            for (int j = 0; j < wedges(); ++j, w = next_[w]) mean += turned(place_[w], -j * wedge_angle()) / double(wedges());
-            for (int j = 0; j < wedges(); ++j, w = next_[w]) {
-                place_[w] = turned(mean, j * wedge_angle());
-                done[w] = true;
-            }
-        }
-        finder_.reset();
     }
 
     // --- phase ---------------------------------------------------------------------------------------------------------------------
@@ -498,25 +403,12 @@ private:
 
     static constexpr int none = 1 << 30;
 
-    const Mesh& solid_;
-    const Face base_;
     const PatternChoice& choice_;
-    const double same_place_;
     double same_azimuth_; // radians
     SolidPattern pattern_;
-    std::vector<std::uint32_t> foot_;           // the base's vertices, counter-clockwise from above
-    std::vector<Face> wall_;                    // over the edges from each of them
-    std::vector<Point> place_;                  // of each vertex, in the frame
     std::vector<std::uint32_t> next_;           // image under the turn by one wedge
     std::vector<int> orbit_of_, wedge_of_;      // base orbits are −1, −2, …
     std::vector<std::uint32_t> representative_; // of each orbit
-    std::optional<PointFinder> finder_;
-    struct Side {
-        std::uint32_t from, to;
-        Corner corner;
-        std::pair<std::uint32_t, std::uint32_t> ends() const { return {from, to}; }
-    };
-    std::vector<Side> sides_; // by their ends; empty until one is looked for
 };
 
 /// What the reading relies on: faces with three different vertices or more, and one edge at most between two vertices.
@@ -535,69 +427,6 @@ void refuse_degenerate(const Mesh& solid)
             if (std::exchange(met[solid.target(c).index], v.index) == v.index)
                 throw CommandError(fmt::format("two edges of the solid join vertices {} and {}", v.index, solid.target(c).index));
 }
-
-/// The largest number of turns about each face's axis that carry the solid into itself.
-///
-/// Looking at all vertices is left to the few faces that pass two tests: such a turn keeps the mean of the vertices, so that lies on the
-/// axis, and it carries some vertices taken at random to vertices.
-class TurnFinder {
-public:
-    TurnFinder(const Mesh& solid, const PatternChoice& choice) : solid_(solid), choice_(choice)
-    {
-        for (const Vertex v : solid.vertices()) points_.push_back(solid.position(v));
-        for (const Point& p : points_) mean_ += p / double(points_.size());
-        double longest = 0.0;
-        for (const Edge e : solid.edges()) longest = std::max(longest, length(solid, e));
-        finder_.emplace(points_, slack * reach_of(choice) * longest);
-    }
-    /// 1 if it is below `least`.
-    int largest(Face f, int least = 2) const
-    {
-        const int n = solid_.valence(f);
-        const Axis axis = axis_of(f);
-        std::optional<Reader> reader;
-        for (int k = n; k >= std::max(least, 2); --k) {
-            if (n % k != 0 || !may_turn(axis, k)) continue;
-            if (!reader) reader.emplace(solid_, f, choice_);
-            if (reader->turns(k)) return k;
-        }
-        return 1;
-    }
-
-private:
-    struct Axis {
-        Point on;
-        Vector along;
-        double reach; // how far a vertex may be from where the turn carries another
-    };
-    Axis axis_of(Face f) const
-    {
-        double around = 0.0;
-        for (const Corner c : solid_.corners(f)) around += length(solid_, solid_.edge(c));
-        return {vertex_mean(solid_, f), unit_normal(solid_, f), slack * reach_of(choice_) * around / solid_.valence(f)};
-    }
-    bool may_turn(const Axis& axis, int k) const
-    {
-        const double angle = full / k;
-        // The mean is carried as far as its distance from the axis says, and each vertex may miss its place by the reach.
-        const Vector offset = mean_ - axis.on;
-        const double from_axis = glm::length(offset - glm::dot(offset, axis.along) * axis.along);
-        if (from_axis * 2.0 * std::sin(0.5 * angle) > axis.reach + 1e-12 * glm::length(offset)) return false;
-        const std::size_t step = points_.size() / 7 + 1;
-        for (std::size_t v = 0; v < points_.size(); v += step) {
-            const Vector d = points_[v] - axis.on, up = glm::dot(d, axis.along) * axis.along, out = d - up;
-            const Point there = axis.on + up + std::cos(angle) * out + std::sin(angle) * glm::cross(axis.along, out);
-            if (finder_->find(there, axis.reach + 1e-12 * glm::length(d)) == Vertex::none) return false;
-        }
-        return true;
-    }
-    static constexpr double slack = 1.001; // no face is missed by rounding; the Reader looks again
-    const Mesh& solid_;
-    const PatternChoice& choice_;
-    std::vector<Point> points_;
-    Point mean_{0.0};
-    std::optional<PointFinder> finder_;
-};
 
 } // namespace
 
@@ -623,7 +452,7 @@ SolidPattern read_pattern(const Mesh& solid, const PatternChoice& choice)
     if (const Components parts = components(solid); parts.parts.size() != 1 || parts.parts[0].euler != 2)
         throw CommandError("the solid must be closed, in one piece and without holes through it");
     refuse_degenerate(solid);
-    const TurnFinder turn(solid, choice);
+    const TurnFinder turn(solid, reach_of(choice), choice.mirror);
     Face base;
     int turns = 0;
     if (choice.base) {
