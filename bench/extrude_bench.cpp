@@ -1,10 +1,10 @@
 // Extruding every face on its own: each of the seven tiered extrusions on all faces of a mesh of quads, as the operator runs inside a
 // document (recording its change for undo) and as a plain function of a mesh. `floor` writes the result of the cubical extrusion as plain
 // index and position arrays in fresh memory, the least that any program must do. Times are processor times.
-#include "dlfl/mesh_builder.h"
 #include "ops/extrude.h"
 #include "ops/registry.h"
 #include "ops/tiered_kernels.h"
+#include "torus.h"
 
 #include <benchmark/benchmark.h>
 
@@ -15,25 +15,6 @@
 
 namespace druse {
 namespace {
-
-/// A torus of about `quads` quads, a little uneven.
-Mesh torus(std::int64_t quads)
-{
-    const auto n = static_cast<std::uint32_t>(std::lround(std::sqrt(double(quads))));
-    MeshBuilder builder;
-    for (std::uint32_t i = 0; i < n; ++i)
-        for (std::uint32_t j = 0; j < n; ++j) {
-            const double a = 2 * pi * i / n, b = 2 * pi * j / n, r = 0.4 + 0.03 * std::sin(9 * a) * std::sin(7 * b);
-            builder.add_vertex({(1 + r * std::cos(b)) * std::cos(a), (1 + r * std::cos(b)) * std::sin(a), r * std::sin(b)});
-        }
-    for (std::uint32_t i = 0; i < n; ++i)
-        for (std::uint32_t j = 0; j < n; ++j) {
-            const std::uint32_t x = (i + 1) % n, y = (j + 1) % n;
-            const std::array<std::uint32_t, 4> face{i * n + j, x * n + j, x * n + y, i * n + y};
-            builder.add_face(face);
-        }
-    return builder.build();
-}
 
 std::vector<Face> all_faces(const Mesh& mesh)
 {

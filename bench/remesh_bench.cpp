@@ -1,18 +1,15 @@
 // Remeshing whole meshes, own mesh in to own mesh out, from 10 thousand to 4 million new faces. Beside it OpenSubdiv as it is fastest (refiner
 // from polygons, one uniform level without what interpolation does not need, positions), in floats; and `floor`, which writes as many bytes as
-// the result has into fresh memory. Times are processor times.
-#include "dlfl/mesh_builder.h"
+// the result has into fresh memory. `Time` is what passed, `CPU` the processor time of all threads.
 #include "dlfl/storage.h"
-#include "geom/angle.h"
 #include "ops/registry.h"
+#include "torus.h"
 
 #include <benchmark/benchmark.h>
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 #include <opensubdiv/far/topologyRefinerFactory.h>
 
-#include <array>
-#include <cmath>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -20,30 +17,6 @@
 
 namespace druse {
 namespace {
-
-/// A torus of about so many quads, or triangles, a little uneven.
-Mesh torus(std::int64_t faces, bool triangles)
-{
-    const auto n = static_cast<std::uint32_t>(std::lround(std::sqrt(double(faces) / (triangles ? 2 : 1))));
-    MeshBuilder builder;
-    for (std::uint32_t i = 0; i < n; ++i)
-        for (std::uint32_t j = 0; j < n; ++j) {
-            const double a = 2 * pi * i / n, b = 2 * pi * j / n, r = 0.4 + 0.03 * std::sin(9 * a) * std::sin(7 * b);
-            builder.add_vertex({(1 + r * std::cos(b)) * std::cos(a), (1 + r * std::cos(b)) * std::sin(a), r * std::sin(b)});
-        }
-    for (std::uint32_t i = 0; i < n; ++i)
-        for (std::uint32_t j = 0; j < n; ++j) {
-            const std::uint32_t x = (i + 1) % n, y = (j + 1) % n;
-            const std::uint32_t a = i * n + j, b = x * n + j, c = x * n + y, d = i * n + y;
-            if (triangles) {
-                builder.add_face(std::array{a, b, c});
-                builder.add_face(std::array{a, c, d});
-            } else {
-                builder.add_face(std::array{a, b, c, d});
-            }
-        }
-    return builder.build();
-}
 
 struct Scheme {
     const char* name;
@@ -151,7 +124,7 @@ int main(int argc, char** argv)
     register_remesh(registry);
     const auto sized = [](benchmark::internal::Benchmark* b) {
         for (const std::int64_t faces : {10'000, 100'000, 1'000'000, 4'000'000}) b->Arg(faces);
-        b->Unit(benchmark::kMillisecond);
+        b->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
     };
     for (const Scheme& s : schemes) {
         const Operator& op = registry.get(s.name);

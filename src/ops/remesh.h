@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "dlfl/mesh_tables.h"
+#include "geom/do_both.h"
 #include "geom/progress.h"
 #include "ops/registry.h"
 #include "ops/remesh_old_mesh.h"
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace druse {
 
@@ -82,7 +84,7 @@ public:
     /// Everything but the positions.
     void connect()
     {
-        if constexpr (vertex_part > 0) old_.order_around();
+        if constexpr (vertex_part > 0) old_.order_around(looks_for_places());
         if constexpr (!uses.vertices_known) std::fill_n(tables_.vertex_corner, vertices_, Corner());
         const std::uint32_t all = growth(scheme) * corners_;
         auto report = [&, reported = std::uint32_t(0)](std::uint32_t done) mutable {
@@ -94,6 +96,7 @@ public:
         for (std::uint32_t f = 0; f < old_.faces(); ++f) {
             report(at.corner);
             const std::uint32_t begin = old_.begin(f), end = old_.end(f), group = old_group(f);
+            if constexpr (keeps_inner_edges()) begin_inner(at.corner, end - begin);
             if constexpr (face_part > 0) {
                 const std::uint32_t start = at.corner;
                 for (std::uint32_t c = begin; c < end; ++c) write_part<face_layout>(c, at, c + 1 < end ? at.corner + face_part : start);
@@ -237,16 +240,57 @@ private:
 
         constexpr Link link = links.of[layout][place];
         constexpr Use use = uses.edge[layout][place];
+        constexpr bool inner = is_inner(layout, place);
         const auto other = [&] { return corner_at<link.layout, link.way>(c, static_cast<std::uint32_t>(link.place)); };
         if constexpr (uses.edges_known && use == Use::later) {
-            tables_.edge[made] = Edge(edge_at<link.layout, link.place, link.way>(c));
+            const std::uint32_t e = edge_at<link.layout, link.place, link.way>(c);
+            tables_.edge[made] = Edge(e);
+            if constexpr (completes_its_edge(layout, place)) tables_.edge_corners[e][1] = Corner(made);
         } else if (use == Use::later || (use == Use::depends && other() < made)) {
-            tables_.edge[made] = tables_.edge[other()];
+            if constexpr (inner) tables_.edge[made] = inner_edges_[other() - first_inner_];
+            else tables_.edge[made] = tables_.edge[other()];
         } else {
             const std::uint32_t e = edges_++;
-            tables_.edge_corners[e] = {Corner(made), Corner(other())};
+            tables_.edge_corners[e][0] = Corner(made);
+            if constexpr (!completes_its_edge(link.layout, link.place)) tables_.edge_corners[e][1] = Corner(other());
             tables_.edge[made] = Edge(e);
+            if constexpr (inner) inner_edges_[made - first_inner_] = Edge(e);
         }
+    }
+
+    /// Whether a side and the one that it meets are in one face, so that the edge is at hand when it is used again.
+    static constexpr bool is_inner(std::size_t layout, std::size_t place)
+    {
+        const Link& link = links.of[layout][place];
+        return !uses.edges_known && layout < edge_layout && link.layout < edge_layout && stays_in_face(link.way);
+    }
+    static constexpr bool keeps_inner_edges()
+    {
+        for (std::size_t layout = 0; layout < edge_layout; ++layout)
+            for (std::size_t place = 0; place < polygon_of(scheme, layout).size; ++place)
+                if (is_inner(layout, place)) return true;
+        return false;
+    }
+    void begin_inner(std::uint32_t first, std::uint32_t sides)
+    {
+        first_inner_ = first;
+        const std::size_t made = size_of(scheme, face_layout, edge_layout) * sides;
+        if (inner_edges_.size() < made) inner_edges_.resize(made);
+    }
+
+    /// Whether the second corner of an edge, rather than the first, tells the edge of it: around a vertex, where the first would have to
+    /// look for its place.
+    static constexpr bool completes_its_edge(std::size_t layout, std::size_t place)
+    {
+        return uses.edges_known && layout == vertex_layout && uses.edge[layout][place] == Use::later;
+    }
+    /// Whether some corner asks for the number of one around a vertex.
+    static constexpr bool looks_for_places()
+    {
+        for (std::size_t layout = 0; layout < layouts; ++layout)
+            for (std::size_t place = 0; place < polygon_of(scheme, layout).size; ++place)
+                if (const Link& link = links.of[layout][place]; link.layout == vertex_layout && !completes_its_edge(link.layout, link.place)) return true;
+        return false;
     }
 
     template <std::size_t layout>
@@ -289,6 +333,10 @@ private:
     Progress& progress_;
     std::uint32_t corners_;
     std::uint32_t first_vertex_[kinds], vertices_ = 0, edges_ = 0;
+    // Edges inside the face at hand, by new corner from first_inner_ on. They are in the column too, but a column that is being written
+    // is a slow place to read: the stores to others at addresses that differ by whole pages get in the way.
+    std::vector<Edge> inner_edges_;
+    std::uint32_t first_inner_ = 0;
     MeshTables tables_;
 };
 
@@ -303,8 +351,7 @@ Mesh apply_scheme(const Mesh& mesh, const Kernel& kernel, RemeshGroups groups, P
 {
     OldMesh old(mesh, Builder<scheme>::least_valence);
     Builder<scheme> builder(old, groups, progress);
-    builder.connect();
-    kernel.place(old, builder.points(), progress);
+    do_both(old.corners() > worth_a_thread, [&] { builder.connect(); }, [&] { kernel.place(old, builder.points(), progress); });
     return builder.take();
 }
 

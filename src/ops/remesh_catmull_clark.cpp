@@ -18,7 +18,6 @@ void CatmullClark::place(const remesh::OldMesh& old, const remesh::NewPoints& to
         const std::uint32_t a = old.corner_of_side(2 * e), b = old.corner_of_side(2 * e + 1);
         to.edge_point[e] = 0.25 * ((from[old.vertex(a)] + from[old.vertex(b)]) + (to.face_point[old.face(a)] + to.face_point[old.face(b)]));
     }
-    progress.step(0.9);
     // m²·(Q + 2R)/m is the sum, over the corners, of the face point and both ends of the side that starts there.
     std::fill_n(to.old_vertex, old.vertices(), Point(0.0));
     for (std::uint32_t f = 0; f < old.faces(); ++f)

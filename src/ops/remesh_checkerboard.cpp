@@ -1,16 +1,14 @@
 #include "ops/remesh_checkerboard.h"
 
 #include "ops/remesh.h"
+#include "ops/remesh_points.h"
 
 namespace druse {
 
 void Checkerboard::place(const remesh::OldMesh& old, const remesh::NewPoints& to, Progress& progress) const
 {
-    const std::span<const Point> from = old.positions();
-    std::copy(from.begin(), from.end(), to.old_vertex);
-    for (std::uint32_t f = 0; f < old.faces(); ++f) {
-        if (f % 16384 == 0) progress.step(0.5 + 0.5 * f / old.faces());
-        const std::uint32_t begin = old.begin(f), end = old.end(f);
+    remesh::write_old_vertices(old, to.old_vertex);
+    remesh::for_each_face(old, progress, [&](std::uint32_t, std::uint32_t begin, std::uint32_t end) {
         const Point origin = old.position(begin);
         Vector normal(0.0); // Newell's, about the first corner
         for (std::uint32_t c = begin + 1; c + 1 < end; ++c) normal += glm::cross(old.position(c) - origin, old.position(c + 1) - origin);
@@ -23,7 +21,7 @@ void Checkerboard::place(const remesh::OldMesh& old, const remesh::NewPoints& to
             const double least = -1e-12 * glm::length(before) * glm::length(after) * glm::length(normal);
             to.corner_point[c] = v + (turning < least ? -t : t) * (before + after);
         }
-    }
+    });
 }
 
 void add_remesh_checkerboard(Registry& registry)

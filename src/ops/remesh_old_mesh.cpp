@@ -3,6 +3,7 @@
 #include "dlfl/errors.h"
 #include "dlfl/measures.h"
 #include "dlfl/mesh_tables.h"
+#include "geom/do_both.h"
 
 #include <fmt/format.h>
 
@@ -41,22 +42,28 @@ OldMesh::OldMesh(const Mesh& mesh, int least_valence) : mesh_(mesh)
 {
     if (mesh.boundary_count() > 0) throw CommandError(fmt::format("the model is open: {} boundary edges", boundary_edge_count(mesh)));
     ASSERT(!mesh.has_holes(), "no holes in a mesh to remesh");
-    if (in_face_order(MeshTables::view(mesh))) read_in_order();
-    else renumber();
-
-    std::uint32_t* const valence = room(valence_, vertices());
-    std::fill_n(valence, vertices(), 0);
-    for (std::uint32_t c = 0; c < corners(); ++c) ++valence[vertex(c)];
+    const MeshTables::View view = MeshTables::view(mesh);
+    bool too_large = false;
+    do_both(
+        corners() > worth_a_thread,
+        [&] {
+            if (in_face_order(view)) read_in_order();
+            else renumber();
+        },
+        [&] {
+            std::uint32_t* const valence = room(valence_, vertices());
+            std::fill_n(valence, vertices(), 0);
+            for (const Vertex v : view.vertex) ++valence[v.index];
+            // Every formula is a mean with weights of moderate size; with such coordinates no sum can overflow.
+            constexpr double most = 1e290;
+            for (const Point& p : mesh.positions()) too_large |= std::abs(p.x) > most || std::abs(p.y) > most || std::abs(p.z) > most;
+        });
     for (std::uint32_t v = 0; v < vertices(); ++v)
-        if (valence[v] < static_cast<std::uint32_t>(least_valence))
+        if (valence(v) < static_cast<std::uint32_t>(least_valence))
             throw CommandError(fmt::format("vertex {} has valence {}", v, mesh.valence(Vertex(v)))); // 0 on a point sphere, which has a corner
     for (std::uint32_t f = 0; f < faces(); ++f)
         if (const std::uint32_t n = end(f) - begin(f); n < 3) throw CommandError(fmt::format("face {} has {} side{}", f, n, n == 1 ? "" : "s"));
-
-    // Every formula is a mean with weights of moderate size; with such coordinates no sum can overflow.
-    constexpr double most = 1e290;
-    for (const Point& p : mesh.positions())
-        if (std::abs(p.x) > most || std::abs(p.y) > most || std::abs(p.z) > most) throw CommandError("coordinates beyond 1e290 are too large");
+    if (too_large) throw CommandError("coordinates beyond 1e290 are too large");
 }
 
 void OldMesh::read_in_order()
@@ -71,8 +78,8 @@ void OldMesh::read_in_order()
     for (std::uint32_t f = 0; f < faces(); ++f) begin[f] = view.start[f].index;
     begin[faces()] = corners();
 
-    std::uint32_t* const across = room(across_, corners());
-    std::uint32_t* const side = room(side_, corners());
+    std::uint32_t* const across = room(across_, lead + corners()) + lead;
+    std::uint32_t* const side = room(side_, lead + corners()) + lead;
     for (std::uint32_t c = 0; c < corners(); ++c) {
         const std::uint32_t e = view.edge[c].index;
         if (e == Edge::none) { // a point sphere: refused when valences are looked at
@@ -113,8 +120,8 @@ void OldMesh::renumber()
     }
     begin[faces()] = at;
 
-    std::uint32_t* const across = room(across_, corners());
-    std::uint32_t* const side = room(side_, corners());
+    std::uint32_t* const across = room(across_, lead + corners()) + lead;
+    std::uint32_t* const side = room(side_, lead + corners()) + lead;
     std::fill_n(across, corners(), 0);
     std::fill_n(side, corners(), 0);
     std::array<Corner, 2>* const corner_of_side = room(own_corner_of_side_, edges());
@@ -133,9 +140,9 @@ void OldMesh::renumber()
     corner_of_side_ = own_corner_of_side_.view();
 }
 
-void OldMesh::order_around()
+void OldMesh::order_around(bool with_places)
 {
-    std::uint32_t* const place = room(place_around_, corners());
+    std::uint32_t* const place = with_places ? room(place_around_, corners()) : nullptr;
     std::uint32_t* const order = room(corner_around_, corners());
     std::vector<std::uint32_t> ring; // the corners of a vertex, from any one on
     std::uint32_t at = 0;
@@ -156,7 +163,7 @@ void OldMesh::order_around()
         } while (c != first);
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const std::uint32_t next = ring[start + i < ring.size() ? start + i : start + i - ring.size()];
-            place[next] = at;
+            if (with_places) place[next] = at;
             order[at++] = next;
         }
     }

@@ -8,6 +8,9 @@
 
 namespace druse::remesh {
 
+/// Work on so many corners is worth a thread of its own.
+inline constexpr std::uint32_t worth_a_thread = 1u << 16;
+
 /// A closed mesh for reading, its corners numbered face after face from the start corners.
 ///
 /// Where the mesh has them in that order already, as every mesh from a file or from a remeshing has, its own columns are read.
@@ -30,9 +33,9 @@ public:
     std::uint32_t face(std::uint32_t c) const { return face_[c].index; }
     std::uint32_t on(std::uint32_t c) const { return next_[c].index; }
     std::uint32_t back(std::uint32_t c) const { return previous_[c].index; }
-    std::uint32_t across(std::uint32_t c) const { return across_[c]; }
-    std::uint32_t side(std::uint32_t c) const { return side_[c]; } // 2 · edge, and 1 more at the edge's second corner
-    std::uint32_t edge(std::uint32_t c) const { return side_[c] >> 1; }
+    std::uint32_t across(std::uint32_t c) const { return across_[lead + c]; }
+    std::uint32_t side(std::uint32_t c) const { return side_[lead + c]; } // 2 · edge, and 1 more at the edge's second corner
+    std::uint32_t edge(std::uint32_t c) const { return side(c) >> 1; }
     std::uint32_t around(std::uint32_t c) const { return across(back(c)); }
     std::uint32_t corner_of_side(std::uint32_t side) const { return corner_of_side_[side >> 1][side & 1].index; }
 
@@ -50,12 +53,16 @@ public:
     std::int32_t group(std::uint32_t f) const { return mesh_.groups()[f]; }
 
     /// Puts the corners of each vertex in order: vertices by id, each counter-clockwise from the edge to its lowest-numbered
-    /// neighbour. Needed before place_around() and corner_around().
-    void order_around();
+    /// neighbour. Needed before corner_around(), and before place_around() with `with_places`.
+    void order_around(bool with_places = true);
     std::uint32_t place_around(std::uint32_t c) const { return place_around_[c]; }   // of a corner in that order
     std::uint32_t corner_around(std::uint32_t at) const { return corner_around_[at]; } // at a place in that order
 
 private:
+    // Large columns begin at whole pages. What is read for a corner lies a little beyond what is written for it, where both are numbered
+    // alike: a load waits for earlier stores that differ from it by whole pages, whatever the column.
+    static constexpr std::uint32_t lead = 64;
+
     void read_in_order();
     void renumber();
 

@@ -62,7 +62,12 @@ void write_face_means(const OldMesh& old, Point* to, Progress& progress)
 void write_relaxed_vertices(const OldMesh& old, double (*weight)(int m), Point* to)
 {
     std::fill_n(to, old.vertices(), Point(0.0));
-    for (std::uint32_t c = 0; c < old.corners(); ++c) to[old.vertex(c)] += old.position(old.on(c));
+    for (std::uint32_t f = 0; f < old.faces(); ++f) {
+        const std::uint32_t begin = old.begin(f), last = old.end(f) - 1;
+        const Point& first = old.position(begin);
+        for (std::uint32_t c = begin; c < last; ++c) to[old.vertex(c)] += old.position(c + 1);
+        to[old.vertex(last)] += first;
+    }
     std::vector<double> known; // weights by valence, NaN where not asked for yet
     for (std::uint32_t v = 0; v < old.vertices(); ++v) {
         const std::uint32_t m = old.valence(v);

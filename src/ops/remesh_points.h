@@ -10,12 +10,12 @@
 /// Positions that several remeshing schemes share. What is written goes by vertex, edge, side, face or corner, as NewPoints says.
 namespace druse::remesh {
 
-/// visit(f, begin, end) for every face, with its corners; reports progress.
+/// visit(f, begin, end) for every face, with its corners. Ends with Cancelled if that is asked for.
 template <class Visit>
-void for_each_face(const OldMesh& old, Progress& progress, Visit&& visit)
+void for_each_face(const OldMesh& old, const Progress& progress, Visit&& visit)
 {
     for (std::uint32_t f = 0; f < old.faces(); ++f) {
-        if (f % 16384 == 0) progress.step(0.5 + 0.5 * f / old.faces());
+        if (f % 16384 == 0 && progress.cancelled()) throw Cancelled();
         visit(f, old.begin(f), old.end(f));
     }
 }

@@ -11,6 +11,8 @@
 #include <numbers>
 #include <set>
 
+#include <sched.h>
+
 namespace druse {
 namespace {
 
@@ -276,6 +278,28 @@ TEST(Remesh, GivesWhatAReaderWouldMakeOfTheSameFaces)
         for (const Face f : mesh.faces()) builder.add_face(ring(mesh, f), mesh.group(f));
         EXPECT_TRUE(builder.build() == mesh);
     }
+}
+
+/// What a mesh becomes where there is one processor only, so that nothing is done side by side.
+template <class Kernel>
+Mesh once_on_one_processor(const Mesh& mesh)
+{
+    cpu_set_t before, one;
+    sched_getaffinity(0, sizeof before, &before);
+    CPU_ZERO(&one);
+    CPU_SET(sched_getcpu(), &one);
+    sched_setaffinity(0, sizeof one, &one);
+    Mesh result = once<Kernel>(mesh);
+    sched_setaffinity(0, sizeof before, &before);
+    return result;
+}
+
+TEST(Remesh, IsTheSameOnOneProcessorAsOnSeveral)
+{
+    const Mesh old = torus(160, 110);
+    ASSERT_GT(old.corner_limit(), remesh::worth_a_thread);
+    EXPECT_TRUE(once<CatmullClark>(old) == once_on_one_processor<CatmullClark>(old));
+    EXPECT_TRUE(once<DooSabin>(old) == once_on_one_processor<DooSabin>(old));
 }
 
 TEST(Remesh, LeavesNothingSelected)
