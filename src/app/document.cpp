@@ -87,8 +87,11 @@ Document::Outcome Document::apply(std::string_view text, Progress& progress, con
     const Command command = parse_command(text);
     if (command.name.empty()) return {};
     const Invocation call = bind(*registry_, command);
-    if (const FilePath* file = opened_file(call); file && version_ == 0)
-        return open(folder / file->path, script_command(call, folder), progress);
+    if (const FilePath* file = opened_file(call); file && version_ == 0) {
+        Outcome outcome = open(folder / file->path, script_command(call, folder), progress);
+        if (outcome.failed) outcome.failure = fmt::format("{}: {}", call.op->name, outcome.failure);
+        return outcome;
+    }
     return run(call, progress, folder);
 }
 

@@ -6,7 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <initializer_list>
 #include <map>
+#include <span>
+#include <string_view>
 #include <utility>
 
 namespace druse {
@@ -15,6 +19,7 @@ namespace {
 
 constexpr int largest_side = 8192;               // of a picture, pixels
 constexpr long most_pixels = 32L * 1024 * 1024;
+constexpr std::string_view picture_ending = ".png";
 
 /// The words of the command line, one member for each, and the requests made of them.
 class CommandLine {
@@ -34,14 +39,17 @@ public:
 
     Request parse(int argc, const char* const* argv)
     {
+        refuse_short_with_equals({argv + 1, argv + std::max(argc, 1)});
         try {
             app_.parse(argc, argv);
         } catch (const CLI::CallForHelp&) {
-            return PrintRequest{chosen().help("", CLI::AppFormatMode::Normal)};
+            return PrintRequest{app_.help()};
         } catch (const CLI::CallForVersion& version) {
             return PrintRequest{std::string(version.what()) + "\n"};
         } catch (const CLI::ExtrasError&) {
             throw CommandError(prefix() + unexpected());
+        } catch (const CLI::ArgumentMismatch& e) {
+            throw CommandError(prefix() + miscounted(e.what()));
         } catch (const CLI::ParseError& e) {
             throw CommandError(prefix() + e.what());
         }
@@ -62,7 +70,7 @@ private:
         app_.add_option("FILE", window_.file, "open it in the window");
         app_.add_flag("--test", window_.test, "for tests: nothing moves by itself, preferences of its own");
         app_.add_option("--geometry", window_.geometry, "size and place of the window, WxH+X+Y");
-        app_.add_option("--ui-scale", window_.ui_scale, "size of everything in it")->check(CLI::IsMember({1.0, 1.25, 1.5, 2.0}));
+        app_.add_option("--ui-scale", ui_scale_, "size of everything in it: 1, 1.25, 1.5 or 2");
         app_.add_option("--event-log", window_.event_log, "write to this file what happens, an event a line");
         app_.add_option("--record", window_.record, "write to this file what is done with mouse and keys");
         app_.add_option("--replay", window_.replay, "do what such a file says");
@@ -98,7 +106,7 @@ private:
         render_app_->add_option("--size", size_, "in pixels, WxH")->capture_default_str();
         render_app_->add_option("--view", view_, "iso, front, back, left, right, top, bottom or AZ,EL in degrees")->capture_default_str();
         render_app_->add_flag("--parallel", render_.options.parallel, "without perspective");
-        render_app_->add_option("--shading", shading_, "flat or smooth")->capture_default_str()->check(CLI::IsMember({"flat", "smooth"}));
+        render_app_->add_option("--shading", shading_, "flat or smooth")->capture_default_str();
         render_app_->add_flag("--edges", render_.options.edges, "draw the edges");
         render_app_->add_flag("--groups", render_.options.groups, "show face groups in their colours");
         render_app_->add_flag("--transparent", render_.options.transparent, "no background");
@@ -109,8 +117,8 @@ private:
     {
         ops_app_ = app_.add_subcommand("ops", "list the operators and their parameters");
         ops_app_->add_option("NAME", ops_.name, "only this one");
-        CLI::Option* json = ops_app_->add_flag("--json", ops_json_, "as JSON");
-        ops_app_->add_flag("--markdown", ops_markdown_, "as the reference page")->excludes(json);
+        ops_app_->add_flag("--json", ops_json_, "as JSON");
+        ops_app_->add_flag("--markdown", ops_markdown_, "as the reference page");
     }
 
     static CLI::Option* repeated(CLI::Option* option) { return option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll); }
@@ -120,13 +128,18 @@ private:
     Request request()
     {
         if (apply_app_->parsed()) return apply();
-        if (info_app_->parsed()) return std::move(info_);
+        if (info_app_->parsed()) {
+            check_format(info_.format, info_.input == "-");
+            return std::move(info_);
+        }
         if (render_app_->parsed()) return render();
         if (ops_app_->parsed()) {
+            if (ops_json_ && ops_markdown_) throw CommandError("--json and --markdown: expected one of the two");
             if (ops_json_) ops_.form = OpsRequest::Form::json;
             if (ops_markdown_) ops_.form = OpsRequest::Form::markdown;
             return std::move(ops_);
         }
+        window_.ui_scale = one_of<double>("--ui-scale", ui_scale_, {{"", 0.0}, {"1", 1.0}, {"1.25", 1.25}, {"1.5", 1.5}, {"2", 2.0}});
         return std::move(window_);
     }
 
@@ -142,6 +155,7 @@ private:
                 apply_.steps.push_back({kind, texts_[list].at(next[list]++)});
             }
         if (!apply_.input && apply_.steps.empty()) throw CommandError("expected a file, -c COMMAND, -s SCRIPT or -o OUT");
+        check_format(apply_.format, apply_.input == "-" || std::ranges::find(texts_[kinds.at(output_).second], "-") != texts_[kinds.at(output_).second].end());
         return std::move(apply_);
     }
 
@@ -163,19 +177,54 @@ private:
         if (!view) throw CommandError(fmt::format("--view {}: expected iso, front, back, left, right, top, bottom or AZ,EL with EL from -90 to 90", view_));
         options.view = *view;
 
-        options.shading = shading_ == "smooth" ? Style::Shading::smooth : Style::Shading::flat;
+        options.shading = one_of<Style::Shading>("--shading", shading_, {{"flat", Style::Shading::flat}, {"smooth", Style::Shading::smooth}});
         if (!background_.empty()) {
+            if (options.transparent) throw CommandError("--transparent and --background: expected one of the two");
             options.background = colour_from_hex(background_);
             if (!options.background) throw CommandError(fmt::format("--background {}: expected a colour #rrggbb", background_));
         }
-        if (render_.output != "-" && !render_.output.ends_with(".png"))
-            throw CommandError(fmt::format("-o {}: expected a name that ends in .png", render_.output));
+        check_format(render_.format, render_.input == "-");
+        const std::string ending = render_.output.substr(render_.output.size() - std::min(render_.output.size(), picture_ending.size()));
+        if (render_.output != "-" && CLI::detail::to_lower(ending) != picture_ending)
+            throw CommandError(fmt::format("-o {}: expected a name that ends in {}", render_.output, picture_ending));
         return std::move(render_);
+    }
+
+    template <class T>
+    static T one_of(std::string_view option, const std::string& given, std::initializer_list<std::pair<const char*, T>> choices)
+    {
+        std::vector<std::string> names;
+        for (const auto& [name, value] : choices) {
+            if (name == given) return value;
+            if (*name) names.emplace_back(name);
+        }
+        throw CommandError(fmt::format("{} {}: expected {}", option, given, listing(names)));
+    }
+
+    static void check_format(const std::string& format, bool has_stream)
+    {
+        if (!format.empty() && !has_stream) throw CommandError(fmt::format("--format {}: goes with -, but no standard stream is read or written", format));
     }
 
     // --- what was wrong -----------------------------------------------------------------------------------------------------------
 
     CLI::App& chosen() { return app_.get_subcommands().empty() ? app_ : *app_.get_subcommands().front(); }
+
+    /// CLI11 takes `-o=x` for the value `=x`.
+    static void refuse_short_with_equals(std::span<const char* const> arguments)
+    {
+        for (const std::string_view a : arguments)
+            if (a.size() > 2 && a[0] == '-' && a[1] >= 'a' && a[1] <= 'z' && a[2] == '=')
+                throw CommandError(fmt::format("'{}': expected '{} {}'", a, a.substr(0, 2), a.substr(3)));
+    }
+
+    /// `complaint` begins with the name of an option that has too few values or too many.
+    std::string miscounted(const std::string& complaint)
+    {
+        const std::string name = complaint.substr(0, complaint.find(':'));
+        const CLI::Option* option = chosen().get_option_no_throw(name);
+        return option && option->count() > 1 ? name + " is given more than once" : name + " needs a value";
+    }
 
     std::string prefix() { return app_.get_subcommands().empty() ? std::string() : chosen().get_name() + ": "; }
 
@@ -210,7 +259,7 @@ private:
     std::vector<std::string> texts_[3]; // of -c, -s and -o
     InfoRequest info_;
     RenderRequest render_;
-    std::string size_ = "1280x800", view_ = "iso", shading_ = "flat", background_;
+    std::string size_ = "1280x800", view_ = "iso", shading_ = "flat", background_, ui_scale_;
     OpsRequest ops_;
     bool ops_json_ = false, ops_markdown_ = false;
 };

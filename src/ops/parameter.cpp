@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace druse {
 
 const char* name(Unit unit)
@@ -13,11 +15,25 @@ const char* name(Unit unit)
     }
 }
 
+namespace {
+
+/// An end of a range; never `1e+06`, as people write it out.
+std::string end_text(double x) { return std::abs(x) < 1e15 && std::floor(x) == x ? fmt::format("{:.0f}", x) : number_text(x); }
+
+/// `1 number`, `3 numbers`.
+std::string counted(int count, std::string_view plural)
+{
+    if (count == 1) plural.remove_suffix(1);
+    return fmt::format("{} {}", count, plural);
+}
+
+} // namespace
+
 std::string Range::text() const
 {
     std::string result;
     const bool from = !std::isinf(min), to = !std::isinf(max);
-    const std::string low = number_text(min), high = number_text(max);
+    const std::string low = end_text(min), high = end_text(max);
     if (from && to && above_min && below_max) result = fmt::format("between {} and {}, both excluded", low, high);
     else if (from && to && above_min) result = fmt::format("above {}, up to {}", low, high);
     else if (from && to && below_max) result = fmt::format("{} or more, below {}", low, high);
@@ -118,7 +134,7 @@ CornerId ParameterType<CornerId>::parse(std::string_view t, const Domain&)
 void check_length(std::size_t length, const Range& range, const char* what)
 {
     if (range.contains(double(length)) && length > 0) return;
-    if (range.min == range.max) throw CommandError(fmt::format("expected {} {}, found {}", number_text(range.min), what, length));
+    if (range.min == range.max) throw CommandError(fmt::format("expected {}, found {}", counted(static_cast<int>(range.min), what), length));
     throw CommandError(range.is_everything() ? fmt::format("expected {} with commas", what)
                                              : fmt::format("expected {} {}, found {}", range.text(), what, length));
 }
@@ -140,8 +156,8 @@ std::string Parameter::type_text() const
     case Type::integer: return "integer";
     case Type::toggle: return "switch";
     case Type::word: return "word";
-    case Type::numbers: return fixed_length > 0 ? fmt::format("{} numbers", fixed_length) : "list of numbers";
-    case Type::integers: return fixed_length > 0 ? fmt::format("{} integers", fixed_length) : "list of integers";
+    case Type::numbers: return fixed_length > 0 ? counted(fixed_length, "numbers") : "list of numbers";
+    case Type::integers: return fixed_length > 0 ? counted(fixed_length, "integers") : "list of integers";
     case Type::texts: return "list of words";
     case Type::point: return "point";
     case Type::colour: return "colour";

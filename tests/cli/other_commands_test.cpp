@@ -74,6 +74,7 @@ TEST(Ops, ListsOperatorsInThreeForms)
     EXPECT_GT(all.size(), 50u);
     EXPECT_EQ(Json::parse(druse({"ops", "dodecahedral", "--json"}).out)["name"], "extrude.dodecahedral");
     EXPECT_TRUE(druse({"ops", "--markdown"}).out.starts_with("# Operators\n"));
+    expect_error({"ops", "--json", "--markdown"}, "ops: --json and --markdown: expected one of the two");
     expect_error({"ops", "make.cub"}, "unknown operator 'make.cub'; did you mean 'make.cube'?");
 }
 
@@ -110,7 +111,11 @@ TEST(Render, SaysWhatIsWrong)
     expect_error({"render", cube, "-o", "a.png", "--view", "up"},
                  "render: --view up: expected iso, front, back, left, right, top, bottom or AZ,EL with EL from -90 to 90");
     expect_error({"render", cube, "-o", "a.png", "--background", "red"}, "render: --background red: expected a colour #rrggbb");
-    expect_error({"render", "none.obj", "-o", "a.png"}, "none.obj: no such file");
+    expect_error({"render", cube, "-o", "a.png", "--background", "#ffffff", "--transparent"}, "render: --transparent and --background: expected one of the two");
+    expect_error({"render", cube, "-o", "a.png", "--shading", "phong"}, "render: --shading phong: expected flat or smooth");
+    expect_error({"render", cube, "-o", "a.png", "--size", "8x8", "--size", "9x9"}, "render: --size is given more than once");
+    expect_error({"render", cube, "-o"}, "render: --output needs a value");
+    expect_error({"render", "none.obj", "-o", "A.PNG"}, "none.obj: no such file");
 }
 
 TEST(Program, HelpsAndTellsItsVersion)
@@ -119,7 +124,7 @@ TEST(Program, HelpsAndTellsItsVersion)
     for (const char* command : {"apply", "info", "render", "ops"}) {
         const Ended help = druse({command, "--help"});
         EXPECT_EQ(help.status, 0);
-        EXPECT_NE(help.out.find(command), std::string::npos);
+        EXPECT_NE(help.out.find(std::string("Usage: druse ") + command), std::string::npos) << help.out;
         EXPECT_NE(druse({"--help"}).out.find(command), std::string::npos);
     }
 }
@@ -127,6 +132,9 @@ TEST(Program, HelpsAndTellsItsVersion)
 TEST(Program, SaysWhatIsWrongWithItsUse)
 {
     expect_error({"--bogus"}, "unknown option '--bogus'");
+    expect_error({"--ui-scale", "3"}, "--ui-scale 3: expected 1, 1.25, 1.5 or 2");
+    expect_error({"info", "x.obj", "--format", "obj"}, "info: --format obj: goes with -, but no standard stream is read or written");
+    expect_error({"apply", "x.obj", "-o=y.obj"}, "'-o=y.obj': expected '-o y.obj'");
     expect_error({"frob", "x"}, "unknown command 'frob'; expected apply, info, render or ops");
     expect_error({"aply", "x"}, "unknown command 'aply'; did you mean 'apply'?");
     expect_error({"x.obj", "info", "y.obj"}, "expected everything behind 'info'");

@@ -12,6 +12,7 @@ struct All {
     bool toggle = false;
     enum class Word { one, two } word = Word::two;
     std::array<double, 3> three{1, 2, 3};
+    std::array<double, 1> single{1};
     std::vector<int> list{4};
     std::optional<double> unset;
     OrWord<double> number_or_word = "auto";
@@ -69,6 +70,8 @@ TEST(Parameter, TakesListsOfTheirLength)
     EXPECT_EQ(set(&All::three, "1,2"), "expected 3 numbers, found 2");
     EXPECT_EQ(set(&All::three, ""), "expected 3 numbers, found 0");
     EXPECT_EQ(set(&All::three, "1,2,x"), "expected a number");
+    EXPECT_EQ(set(&All::single, "1,2"), "expected 1 number, found 2");
+    EXPECT_EQ(make_parameter<All>(&All::single, "p", "help", Domain{}).type_text(), "1 number");
     EXPECT_EQ(set(&All::list, "7,8,9"), "= 7,8,9");
     EXPECT_EQ(set(&All::list, ""), "expected integers with commas");
     EXPECT_EQ(set(&All::list, "1,2,3", {Unit::none, {}, {1, 2}, {}}), "expected 1 to 2 integers, found 3");
@@ -103,6 +106,7 @@ TEST(Parameter, MayStayUnset)
 TEST(Range, ReadsLikeASentence)
 {
     EXPECT_EQ((Range{1, 179}).text(), "1 to 179");
+    EXPECT_EQ((Range{-1e6, 2.5}).text(), "-1000000 to 2.5");
     EXPECT_EQ(above(0).text(), "above 0");
     EXPECT_EQ(at_least(2).text(), "2 or more");
     EXPECT_EQ((Range{0, 1, true, false}).text(), "above 0, up to 1");
