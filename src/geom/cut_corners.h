@@ -20,6 +20,7 @@ public:
     template <class At, class Write>
     void cut(int n, double alpha, At&& at, Write&& write)
     {
+        if (n == 4) return cut_quad(alpha, at, write);
         if (directions_.size() != std::size_t(n)) {
             directions_.resize(std::size_t(n));
             for (int i = 0; i < n; ++i) directions_[std::size_t(i)] = turn(i, n);
@@ -42,6 +43,19 @@ public:
     }
 
 private:
+    /// Most faces of most meshes: 3 + 2 cos is 3 for the two neighbours and 1 for the corner opposite.
+    template <class At, class Write>
+    static void cut_quad(double alpha, At&& at, Write&& write)
+    {
+        const Point p = at(0);
+        const Vector a = at(1) - p, b = at(2) - p, c = at(3) - p;
+        const double w = (1.0 - alpha) / 7.0;
+        write(0, p + (3.0 * w * (a + c) + w * b));
+        write(1, p + (alpha * a + 3.0 * w * b + w * c));
+        write(2, p + (alpha * b + 3.0 * w * (a + c)));
+        write(3, p + (alpha * c + 3.0 * w * b + w * a));
+    }
+
     std::vector<Point2> directions_; // of n corners, evenly around
     std::vector<Vector> relative_;
 };

@@ -152,14 +152,15 @@ void OldMesh::order_around(bool with_places)
         std::size_t start = 0;
         std::uint32_t least = ~std::uint32_t(0), c = first;
         do {
-            // Of several edges to the same neighbour the one with the lowest id counts.
-            const std::uint32_t there = vertex(on(c));
+            const std::uint32_t before = back(c);
+            c = across(before);
+            // Its side leads where the one before came from. Of several edges to the same neighbour the one with the lowest id counts.
+            const std::uint32_t there = vertex(before);
             if (there < least || (there == least && edge(c) < edge(ring[start]))) {
                 start = ring.size();
                 least = there;
             }
             ring.push_back(c);
-            c = around(c);
         } while (c != first);
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const std::uint32_t next = ring[start + i < ring.size() ? start + i : start + i - ring.size()];
