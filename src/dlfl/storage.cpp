@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::size_t huge_page = std::size_t(2) << 20;
 constexpr std::size_t least_mapped = std::size_t(1) << 20;
+constexpr std::size_t page = 4096, cache_line = 64;
 
 // Address sanitizer knows nothing of mapped memory, so under it every block comes from malloc.
 #if defined(__has_feature)
@@ -63,6 +65,21 @@ struct Block {
     std::byte* data = nullptr;
     std::size_t bytes = 0;
 };
+
+/// How far into its mapped block the data of a column begin, below a page: elsewhere for each block in turn. A load waits for an earlier
+/// store whose address differs by whole pages, and the cache has few places for such lines; columns that all began alike would be in each
+/// other's way at every index.
+std::size_t next_lead()
+{
+    static constinit std::atomic<std::size_t> blocks{0};
+    return blocks.fetch_add(1, std::memory_order_relaxed) * (5 * cache_line) % page; // 5 goes round all lines of a page
+}
+
+/// The mapped block with these data, which begin in its first page and leave so much out at its end.
+Block block_of(std::byte* data, std::size_t capacity)
+{
+    return {data - reinterpret_cast<std::uintptr_t>(data) % huge_page, capacity + page};
+}
 
 constexpr std::size_t most_kept = std::size_t(1) << 30; // bytes
 
@@ -144,7 +161,7 @@ Storage::~Storage() { release(); }
 
 void Storage::release()
 {
-    if (mapped_) kept_blocks().give({data_, capacity_});
+    if (mapped_) kept_blocks().give(block_of(data_, capacity_));
     else std::free(data_);
 }
 
@@ -152,19 +169,20 @@ void Storage::reserve(std::size_t bytes)
 {
     if (bytes <= capacity_) return;
     if (use_mapping && bytes >= least_mapped) {
-        const std::size_t rounded = (bytes + huge_page - 1) / huge_page * huge_page;
-        const bool copies_less = rounded >= 2 * capacity_; // than the system would have to clear
-        std::byte* block = copies_less ? kept_blocks().take(rounded) : nullptr;
+        const std::size_t total = (bytes + page + huge_page - 1) / huge_page * huge_page;
+        const bool copies_less = total >= 2 * capacity_; // than the system would have to clear
+        std::byte* block = copies_less ? kept_blocks().take(total) : nullptr;
         if (mapped_ && !block) {
-            data_ = remap(data_, capacity_, rounded);
+            const Block old = block_of(data_, capacity_);
+            data_ = remap(old.data, old.bytes, total) + (data_ - old.data);
         } else {
-            if (!block) block = map(rounded);
-            if (capacity_ > 0) std::memcpy(block, data_, capacity_);
+            std::byte* const data = (block ? block : map(total)) + next_lead();
+            if (capacity_ > 0) std::memcpy(data, data_, capacity_);
             release();
-            data_ = block;
+            data_ = data;
             mapped_ = true;
         }
-        capacity_ = rounded;
+        capacity_ = total - page;
         return;
     }
     void* p = std::realloc(data_, bytes);
