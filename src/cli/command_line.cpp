@@ -107,6 +107,7 @@ private:
         render_app_->add_option("--view", view_, "iso, front, back, left, right, top, bottom or AZ,EL in degrees")->capture_default_str();
         render_app_->add_flag("--parallel", render_.options.parallel, "without perspective");
         render_app_->add_option("--shading", shading_, "flat or smooth")->capture_default_str();
+        render_app_->add_flag("--smooth", render_.smooth, "show the surface that Catmull-Clark subdivision goes to, as the window's smooth preview does");
         render_app_->add_flag("--edges", render_.options.edges, "draw the edges");
         render_app_->add_flag("--groups", render_.options.groups, "show face groups in their colours");
         render_app_->add_flag("--transparent", render_.options.transparent, "no background");

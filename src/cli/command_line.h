@@ -29,6 +29,7 @@ struct InfoRequest {
 
 struct RenderRequest {
     std::string input, format, output;
+    bool smooth = false;
     StillOptions options;
 };
 

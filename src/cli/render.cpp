@@ -3,23 +3,39 @@
 #include "cli/console.h"
 #include "dlfl/errors.h"
 #include "io/output.h"
+#include "ops/smooth_surface.h"
 #include "render/png.h"
 #include "render/still.h"
 
+#include <utility>
 #include <variant>
 
 namespace druse {
+
+namespace {
+
+Image picture_of(const Scene& scene, const RenderRequest& request, Progress& progress)
+{
+    const GroupColours colours = [&](int group) { return scene.groups->colour(group); };
+    const Graph* graph = std::get_if<Graph>(&*scene.source);
+    if (scene.mesh.face_count() == 0 && graph) return draw_still(*graph, request.options);
+    if (!request.smooth) return draw_still(scene.mesh, colours, request.options);
+    try {
+        SmoothSurface surface = smooth_surface(scene.mesh, progress);
+        return draw_still(surface.mesh, Division(scene.mesh, std::move(surface.old_face)), colours, request.options);
+    } catch (const CommandError& e) {
+        throw CommandError(std::string("render: --smooth: ") + e.what());
+    }
+}
+
+} // namespace
 
 void render(const RenderRequest& request, Progress& progress)
 {
     Document document(all_operators());
     const Document::Outcome outcome = open_input(document, request.input, request.format, progress);
     if (outcome.failed) throw CommandError(outcome.failure);
-    const Scene& scene = document.scene();
-    const Graph* graph = std::get_if<Graph>(&*scene.source);
-    const Image image = scene.mesh.face_count() == 0 && graph
-                            ? draw_still(*graph, request.options)
-                            : draw_still(scene.mesh, [&](int group) { return scene.groups->colour(group); }, request.options);
+    const Image image = picture_of(document.scene(), request, progress);
     const std::vector<std::uint8_t> png = encode_png(image);
     progress.step(1.0);
 

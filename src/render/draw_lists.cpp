@@ -1,10 +1,12 @@
 #include "render/draw_lists.h"
 
+#include "dlfl/measures.h"
 #include "render/palette.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace druse {
 
@@ -37,6 +39,12 @@ std::uint32_t pack_normal(const Vector& n)
     return field(n.x) | field(n.y) << 10 | field(n.z) << 20;
 }
 
+Division::Division(const Mesh& old, std::vector<std::uint32_t> faces) : old_face(std::move(faces)), old_bounds(bounds(old))
+{
+    for (const Edge e : old.edges()) old_mean_edge += length(old, e);
+    if (old.edge_count() > 0) old_mean_edge /= old.edge_count();
+}
+
 // --- building ---------------------------------------------------------------------------------------------------------------
 
 void DrawLists::clear(const Box& box)
@@ -62,7 +70,8 @@ void DrawLists::clear(const Box& box)
     vertex_versions_.clear();
     triangle_versions_.clear();
     edge_versions_.clear();
-    id_ = version_ = next_version();
+    is_divided_ = false;
+    id_ = version_ = shape_version_ = next_version();
 }
 
 void DrawLists::new_version()
@@ -70,7 +79,19 @@ void DrawLists::new_version()
     version_ = next_version();
 }
 
-void DrawLists::build(const Mesh& mesh, const GroupColours& colours)
+void DrawLists::build(const Mesh& mesh, const GroupColours& colours) { build(mesh, colours, nullptr); }
+
+void DrawLists::build(const Mesh& mesh, const GroupColours& colours, const Division& division)
+{
+    build(mesh, colours, &division);
+    is_divided_ = true;
+    mean_edge_ = division.old_mean_edge;
+    if (division.old_bounds.empty()) return;
+    reach_.add(division.old_bounds.min);
+    reach_.add(division.old_bounds.max);
+}
+
+void DrawLists::build(const Mesh& mesh, const GroupColours& colours, const Division* division)
 {
     Box box;
     for (const Vertex v : mesh.vertices()) box.add(mesh.position(v));
@@ -90,22 +111,33 @@ void DrawLists::build(const Mesh& mesh, const GroupColours& colours)
     std::vector<std::uint32_t> last_use(mesh.vertex_limit(), 0);
     for (const Face f : mesh.faces()) {
         face_group_.set(f.index, mesh.group(f));
-        put_triangles(mesh, f, palette, &last_use);
+        put_triangles(mesh, f, palette, &last_use, division);
     }
     for (const Vertex v : mesh.vertices())
         if (newest_[v.index] == none) copy_vertex(v.index); // ends of edges that bound no triangle
 
-    for (const Edge e : mesh.edges()) {
-        const auto [a, b] = mesh.ends(e);
-        edge_ends_.set(e.index, {a.index, b.index});
-        edge_sum_ += length(e);
-    }
-    mean_edge_ = mesh.edge_count() > 0 ? edge_sum_ / mesh.edge_count() : 0.0;
-    edge_versions_.assign((std::size_t(mesh.edge_limit()) >> block_bits) + 1, version_);
+    put_edges(mesh, division);
     take_boundary(mesh);
 
     for (std::uint32_t block = 0; block << pick_bits < triangles_.size(); ++block) renew_box(block);
     renew_bounds();
+}
+
+void DrawLists::put_edges(const Mesh& mesh, const Division* division)
+{
+    if (division) edge_ends_.truncate(0);
+    for (const Edge e : mesh.edges()) {
+        const auto [a, b] = mesh.ends(e);
+        if (division) {
+            const auto [f, g] = mesh.faces(e);
+            if (division->old_face[f.index] != division->old_face[g.index]) edge_ends_.push_back({a.index, b.index});
+        } else {
+            edge_ends_.set(e.index, {a.index, b.index});
+            edge_sum_ += length(e);
+        }
+    }
+    mean_edge_ = mesh.edge_count() > 0 ? edge_sum_ / mesh.edge_count() : 0.0;
+    edge_versions_.assign((std::size_t(edge_limit()) >> block_bits) + 1, version_);
 }
 
 void DrawLists::build(const Graph& graph)
@@ -124,7 +156,7 @@ void DrawLists::build(const Graph& graph)
     }
     mean_edge_ = graph.edges.empty() ? 0.0 : edge_sum_ / double(graph.edges.size());
     edge_versions_.assign((graph.edges.size() >> block_bits) + 1, version_);
-    bounds_ = box;
+    bounds_ = reach_ = box;
 }
 
 /// Brings the columns beside the mesh to its limits; new elements are empty.
@@ -196,7 +228,7 @@ std::size_t DrawLists::choose_last(const std::array<std::uint32_t, 3>& v, std::v
     return 0;
 }
 
-void DrawLists::put_triangles(const Mesh& mesh, Face f, Palette& palette, std::vector<std::uint32_t>* last_use)
+void DrawLists::put_triangles(const Mesh& mesh, Face f, Palette& palette, std::vector<std::uint32_t>* last_use, const Division* division)
 {
     const auto& pieces = triangulator_.triangles(mesh, f);
     if (pieces.empty()) return;
@@ -211,6 +243,9 @@ void DrawLists::put_triangles(const Mesh& mesh, Face f, Palette& palette, std::v
         area += glm::cross(mesh.position(piece[1]) - p, mesh.position(piece[2]) - p);
     }
     const std::uint32_t normal = pack_normal(unit(area));
+    const auto is_side = [&](Corner from, Corner to) {
+        return mesh.next(from) == to && (!division || division->old_face[f.index] != division->old_face[mesh.face(mesh.opposite(from)).index]);
+    };
     const std::uint32_t look =
         palette(face_group_[f.index]) | DrawVertex::claimed_flag | (face_selected_[f.index] ? DrawVertex::selected_flag : 0u);
     std::uint32_t t = first;
@@ -228,7 +263,7 @@ void DrawLists::put_triangles(const Mesh& mesh, Face f, Palette& palette, std::v
 
         std::uint32_t sides = 0;
         for (std::size_t side = 0; side < 3; ++side)
-            if (mesh.next(piece[(k + side) % 3]) == piece[(k + side + 1) % 3]) sides |= DrawVertex::side_flag << side;
+            if (is_side(piece[(k + side) % 3], piece[(k + side + 1) % 3])) sides |= DrawVertex::side_flag << side;
 
         DrawVertex& vertex = *draw_vertices_.write(last, 1);
         vertex.normal = normal;
@@ -300,6 +335,7 @@ void DrawLists::renew_bounds()
     }
     if (!has_faces())
         for (const Point& p : positions_.view()) bounds_.add(p);
+    reach_ = bounds_;
 }
 
 std::vector<std::array<std::uint32_t, 2>> DrawLists::sides(Face f) const
@@ -316,8 +352,9 @@ std::vector<std::array<std::uint32_t, 2>> DrawLists::sides(Face f) const
     return result;
 }
 
-std::vector<std::uint32_t> DrawLists::smooth_normals() const
+const std::vector<std::uint32_t>& DrawLists::smooth_normals() const
 {
+    if (smooth_version_ == shape_version_) return smooth_normals_;
     std::vector<Vector> sum(vertex_limit(), Vector(0.0));
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
         if (triangle_face_[t] == none) continue;
@@ -327,10 +364,11 @@ std::vector<std::uint32_t> DrawLists::smooth_normals() const
         for (std::size_t k = 0; k < 3; ++k)
             sum[vertex_of_[triangles_[t][k]]] += std::acos(std::clamp(-glm::dot(side[k], side[(k + 2) % 3]), -1.0, 1.0)) * normal;
     }
-    std::vector<std::uint32_t> packed(draw_vertices_.size());
-    for (std::uint32_t i = 0; i < packed.size(); ++i)
-        if (vertex_of_[i] < sum.size()) packed[i] = pack_normal(unit(sum[vertex_of_[i]]));
-    return packed;
+    smooth_normals_.assign(draw_vertices_.size(), 0);
+    for (std::uint32_t i = 0; i < smooth_normals_.size(); ++i)
+        if (vertex_of_[i] < sum.size()) smooth_normals_[i] = pack_normal(unit(sum[vertex_of_[i]]));
+    smooth_version_ = shape_version_;
+    return smooth_normals_;
 }
 
 } // namespace druse

@@ -31,6 +31,15 @@ struct DrawVertex {
 
 class Palette;
 
+/// Where the faces of a mesh come from that was made of another by dividing its faces, to show that one smooth.
+struct Division {
+    Division(const Mesh& old, std::vector<std::uint32_t> faces);
+
+    std::vector<std::uint32_t> old_face; // by face
+    Box old_bounds;                      // the outlines of old faces may go over the picture
+    double old_mean_edge = 0;            // their mean length, by which edges fade
+};
+
 /// What the renderer and picking need of a mesh, in a copy of its own, so that the picture stays while the mesh changes.
 ///
 /// **Triangles.** A polygon has one normal and one colour, but shares its vertices with others. The picture of a large mesh is
@@ -61,6 +70,9 @@ public:
 
     /// Takes everything anew; the selection is dropped. Cost: linear; 1 M triangles take about as long as one frame in software.
     void build(const Mesh& mesh, const GroupColours& colours);
+    /// The same of a divided mesh: shading is always smooth, and sides and edges() are only those between parts of different old
+    /// faces. Such lists cannot be updated.
+    void build(const Mesh& mesh, const GroupColours& colours, const Division& division);
     /// Lines only, for a graph without faces.
     void build(const Graph& graph);
 
@@ -70,8 +82,9 @@ public:
     /// Precondition: `delta` lists at least all that changed since the last build() or update().
     void update(const Mesh& mesh, const MeshDelta& delta, const GroupColours& colours);
 
-    /// Groups and colours of all faces again; nothing else may have changed. Cost: one write per triangle.
+    /// Groups and colours of all faces again; nothing else may have changed. Cost: one look at each triangle.
     void recolour(const Mesh& mesh, const GroupColours& colours);
+    void recolour(const std::function<int(Face)>& group_of, const GroupColours& colours);
 
     /// Makes these the selected faces, and no others. Cost: that of the faces listed now and before.
     void select(std::span<const Face> faces);
@@ -80,6 +93,8 @@ public:
 
     const Point& origin() const { return origin_; } // what places of draw vertices are relative to
     const Box& bounds() const { return bounds_; }   // in model coordinates; empty if nothing is drawn
+    const Box& reach() const { return reach_; }     // bounds(), and what may be outlined beyond them
+    bool is_divided() const { return is_divided_; }
     double mean_edge_length() const { return mean_edge_; }
     bool has_faces() const { return live_triangles_ > 0; }
     bool is_closed() const { return boundary_sides_.empty(); } // no open boundary
@@ -112,14 +127,16 @@ public:
     std::span<const Box> pick_boxes() const { return pick_boxes_; }
 
     /// Normals for smooth shading, packed like DrawVertex::normal, one per draw vertex: the mean of the triangles around a
-    /// vertex, weighted by their angle there. Cost: linear, each time.
-    std::vector<std::uint32_t> smooth_normals() const;
+    /// vertex, weighted by their angle there. Cost: linear, the first time since the shape changed; not from two threads at once.
+    const std::vector<std::uint32_t>& smooth_normals() const;
 
     // --- following them ---------------------------------------------------------------------------------------------------
 
     /// Another number after each build (`id`) and after each change of any kind (`version`); no two lists share a number.
     std::uint64_t id() const { return id_; }
     std::uint64_t version() const { return version_; }
+    /// The version in which anything but colours, groups and the selection last changed.
+    std::uint64_t shape_version() const { return shape_version_; }
     /// When each block of 256 draw vertices, triangles and edges last changed.
     std::span<const std::uint64_t> vertex_versions() const { return vertex_versions_; }
     std::span<const std::uint64_t> triangle_versions() const { return triangle_versions_; }
@@ -127,10 +144,12 @@ public:
 
 private:
     void clear(const Box& box);
+    void build(const Mesh& mesh, const GroupColours& colours, const Division* division);
     void new_version();
     std::uint32_t copy_vertex(std::uint32_t v);
     std::uint32_t unclaimed_copy(std::uint32_t v) const;
-    void put_triangles(const Mesh& mesh, Face f, Palette& palette, std::vector<std::uint32_t>* last_use);
+    void put_triangles(const Mesh& mesh, Face f, Palette& palette, std::vector<std::uint32_t>* last_use, const Division* division = nullptr);
+    void put_edges(const Mesh& mesh, const Division* division);
     std::size_t choose_last(const std::array<std::uint32_t, 3>& v, std::vector<std::uint32_t>* last_use);
     void release(Face f);
     std::uint32_t find_room(std::uint32_t count);
@@ -149,7 +168,8 @@ private:
     }
 
     Point origin_{0.0};
-    Box bounds_;
+    Box bounds_, reach_;
+    bool is_divided_ = false;
     double edge_sum_ = 0, mean_edge_ = 0;
     std::uint32_t live_triangles_ = 0;
 
@@ -170,7 +190,9 @@ private:
     std::vector<std::vector<std::uint32_t>> room_; // by number of triangles: where so many in a row are free
     Triangulator triangulator_;
 
-    std::uint64_t id_ = 0, version_ = 0;
+    std::uint64_t id_ = 0, version_ = 0, shape_version_ = 0;
+    mutable std::vector<std::uint32_t> smooth_normals_;
+    mutable std::uint64_t smooth_version_ = 0; // the shape_version() they are of
     std::vector<std::uint64_t> vertex_versions_, triangle_versions_, edge_versions_;
 };
 

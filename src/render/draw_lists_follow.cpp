@@ -35,6 +35,7 @@ void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColo
         return;
     }
     new_version();
+    if (!(delta.vertices.empty() && delta.edges.empty() && delta.faces.empty())) shape_version_ = version_;
     Palette palette(colours);
 
     // The faces and edges to put again: those that changed, and all around a vertex that moved.
@@ -127,20 +128,26 @@ void DrawLists::paint(Face f, Palette& palette)
     const std::uint32_t colour = palette(face_group_[f.index]) | (face_selected_[f.index] ? DrawVertex::selected_flag : 0u);
     for (std::uint32_t t = range.first; t < range.first + range.count; ++t) {
         const std::uint32_t last = triangles_[t][2];
-        DrawVertex& vertex = *draw_vertices_.write(last, 1);
-        vertex.look = (vertex.look & 0xff000000u & ~DrawVertex::selected_flag) | colour;
+        const std::uint32_t before = draw_vertices_[last].look;
+        const std::uint32_t look = (before & 0xff000000u & ~DrawVertex::selected_flag) | colour;
+        if (look == before) continue;
+        draw_vertices_.write(last, 1)->look = look;
         touch(vertex_versions_, last);
     }
 }
 
 void DrawLists::recolour(const Mesh& mesh, const GroupColours& colours)
 {
+    recolour([&](Face f) { return mesh.is_alive(f) ? mesh.group(f) : 0; }, colours);
+}
+
+void DrawLists::recolour(const std::function<int(Face)>& group_of, const GroupColours& colours)
+{
     new_version();
     Palette palette(colours);
-    for (const Face f : mesh.faces()) {
-        if (f.index >= face_limit()) break;
-        face_group_.set(f.index, mesh.group(f));
-        paint(f, palette);
+    for (std::uint32_t i = 0; i < face_limit(); ++i) {
+        face_group_.set(i, group_of(Face(i)));
+        paint(Face(i), palette);
     }
 }
 

@@ -94,11 +94,12 @@ void GpuMesh::follow(const DrawLists& lists, bool sides, bool smooth)
 {
     gl_.BindVertexArray(face_array_);
     if (sides) copy_sides(lists);
-    if (smooth && smooth_.version != lists.version()) {
-        const std::vector<std::uint32_t> normals = lists.smooth_normals();
+    if (smooth && smooth_.version != lists.shape_version()) {
+        const std::vector<std::uint32_t>& normals = lists.smooth_normals();
         smooth_.list = 0;
         copy<std::uint32_t>(GL_ARRAY_BUFFER, smooth_, normals.size(), {}, lists,
                             [&](std::size_t first, std::size_t) { return normals.data() + first; });
+        smooth_.version = lists.shape_version();
     }
     copy<DrawVertex>(GL_ARRAY_BUFFER, vertices_, lists.draw_vertices().size(), lists.vertex_versions(), lists,
                      [&](std::size_t first, std::size_t) { return lists.draw_vertices().data() + first; });
@@ -173,11 +174,21 @@ void GpuMesh::draw_edges() const
 void GpuMesh::draw_faces(const DrawLists& lists, const std::vector<Face>& faces) const
 {
     gl_.BindVertexArray(face_array_);
+    DrawLists::Range run;
+    const auto draw_run = [&] {
+        if (run.count == 0) return;
+        gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(run.count * 3), GL_UNSIGNED_INT, at(run.first * sizeof(DrawLists::Triangle)));
+    };
     for (const Face f : faces) {
         const DrawLists::Range range = lists.triangles(f);
-        gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count * 3), GL_UNSIGNED_INT,
-                         at(range.first * sizeof(DrawLists::Triangle)));
+        if (run.count > 0 && range.first == run.first + run.count) {
+            run.count += range.count;
+            continue;
+        }
+        draw_run();
+        run = range;
     }
+    draw_run();
 }
 
 } // namespace druse

@@ -41,10 +41,12 @@ struct Renderer::Parts {
 
     void draw_base(const DrawLists& lists, const Camera& camera, const Style& style);
     void draw_background(const Style& style);
-    void draw_faces(const Camera& camera, const Style& style, unsigned variant, double strength);
+    void use_faces(const Camera& camera, const Style& style);
+    void draw_faces(const Style& style);
+    void draw_painted(const DrawLists& lists, const Camera& camera, const Style& style, const Overlay& overlay);
     void draw_lines(Colour colour, double opacity);
     void draw_overlay(const DrawLists& lists, const Camera& camera, const Style& style, const Overlay& overlay);
-    const Program& face_program(unsigned variant);
+    const Program& face_program(unsigned which);
     const Program& line_program();
     double edge_strength(const DrawLists& lists, const Camera& camera, const Style& style) const;
 
@@ -64,6 +66,9 @@ struct Renderer::Parts {
     std::optional<Camera> shown_camera;
     Style shown_style;
     glm::mat4 to_clip{1.0f};
+    unsigned variant = 0;      // of the face shader
+    double strength = 0;       // of the edges
+    bool under_lines = false;  // faces are pushed back, and edges drawn as lines over them
 };
 
 Renderer::Parts::Parts(const GlProcLoader& get) : gl(GlApi::load(get))
@@ -154,7 +159,7 @@ double Renderer::Parts::edge_strength(const DrawLists& lists, const Camera& came
 
 void Renderer::Parts::draw_base(const DrawLists& lists, const Camera& camera, const Style& style)
 {
-    to_clip = glm::mat4(camera.to_clip(lists.origin(), lists.bounds()));
+    to_clip = glm::mat4(camera.to_clip(lists.origin(), lists.reach()));
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LEQUAL);
     gl.DepthMask(GL_TRUE);
@@ -165,22 +170,22 @@ void Renderer::Parts::draw_base(const DrawLists& lists, const Camera& camera, co
     if (lists.bounds().empty()) return;
 
     const bool with_faces = lists.has_faces() && !style.wireframe;
-    const double strength = style.edges || !with_faces ? edge_strength(lists, camera, style) : 0.0;
-    const bool as_lines = !with_faces || style.see_through || style.edge_method == Style::EdgeMethod::lines ||
+    strength = style.edges || !with_faces ? edge_strength(lists, camera, style) : 0.0;
+    // By the shader a line is cut where triangles are smaller than it is wide, as those of a divided face are.
+    const bool as_lines = !with_faces || style.see_through || lists.is_divided() || style.edge_method == Style::EdgeMethod::lines ||
                           (style.edge_method == Style::EdgeMethod::automatic && !software);
-    unsigned variant = 0;
-    if (style.shading == Style::Shading::smooth) variant |= Variant::smooth;
+    variant = 0;
+    if (style.shading == Style::Shading::smooth || lists.is_divided()) variant |= Variant::smooth;
     if (strength > 0 && !as_lines) variant |= Variant::edges;
     if (style.back_faces || style.see_through || !lists.is_closed()) variant |= Variant::both_sides;
     mesh.follow(lists, (variant & Variant::edges) != 0, (variant & Variant::smooth) != 0);
 
+    under_lines = with_faces && strength > 0 && as_lines;
     if (with_faces) {
-        const bool push_back = strength > 0 && as_lines;
-        if (push_back) gl.Enable(GL_POLYGON_OFFSET_FILL);
-        gl.PolygonOffset(1.0f, 1.0f);
-        draw_faces(camera, style, variant, strength);
+        use_faces(camera, style);
+        draw_faces(style);
         gl.Disable(GL_POLYGON_OFFSET_FILL);
-        if (push_back) draw_lines(style.edge, strength);
+        if (under_lines) draw_lines(style.edge, strength);
     } else {
         // Nothing lies under the lines but the background: they are light on a dark one, and do not vanish however short.
         const Colour colour = is_bright(style) ? style.edge : Colour{0xc8, 0xcc, 0xd4};
@@ -207,14 +212,14 @@ void Renderer::Parts::draw_background(const Style& style)
     gl.Enable(GL_DEPTH_TEST);
 }
 
-const Program& Renderer::Parts::face_program(unsigned variant)
+const Program& Renderer::Parts::face_program(unsigned which)
 {
-    std::optional<Program>& program = faces[variant];
+    std::optional<Program>& program = faces[which];
     if (!program) {
         std::string defines;
-        if (variant & Variant::smooth) defines += "#define SMOOTH\n";
-        if (variant & Variant::edges) defines += "#define EDGES\n";
-        if (variant & Variant::both_sides) defines += "#define BOTH_SIDES\n";
+        if (which & Variant::smooth) defines += "#define SMOOTH\n";
+        if (which & Variant::edges) defines += "#define EDGES\n";
+        if (which & Variant::both_sides) defines += "#define BOTH_SIDES\n";
         program.emplace(gl, defines + light_source, faces_vertex_source, faces_fragment_source);
     }
     return *program;
@@ -226,7 +231,8 @@ const Program& Renderer::Parts::line_program()
     return *lines;
 }
 
-void Renderer::Parts::draw_faces(const Camera& camera, const Style& style, unsigned variant, double strength)
+/// Sets the face shader up as the base needs it; what is drawn with it again falls on the same pixels.
+void Renderer::Parts::use_faces(const Camera& camera, const Style& style)
 {
     const Program& program = face_program(variant);
     program.use();
@@ -235,31 +241,51 @@ void Renderer::Parts::draw_faces(const Camera& camera, const Style& style, unsig
     gl.UniformMatrix4fv(program.uniform("to_clip"), 1, GL_FALSE, glm::value_ptr(to_clip));
     gl.UniformMatrix3fv(program.uniform("to_eye"), 1, GL_FALSE, glm::value_ptr(to_eye));
     gl.Uniform3f(program.uniform("selected_colour"), selected[0], selected[1], selected[2]);
+    gl.Uniform4f(program.uniform("paint"), 0.0f, 0.0f, 0.0f, 0.0f);
     gl.Uniform2f(program.uniform("half_size"), 0.5f * float(camera.width()), 0.5f * float(camera.height()));
     gl.Uniform3f(program.uniform("edge_colour"), edge[0], edge[1], edge[2]);
     gl.Uniform1f(program.uniform("edge_strength"), float(strength));
     gl.Uniform1f(program.uniform("edge_half_width"), float(edge_half_width * style.line_scale));
     gl.Uniform1f(program.uniform("opacity"), style.see_through ? 0.4f : 1.0f);
-
-    if (style.see_through) {
-        // Far sides first; within each pass the order does not matter much at this opacity, and nothing is sorted.
-        gl.Enable(GL_BLEND);
-        gl.DepthMask(GL_FALSE);
-        gl.Enable(GL_CULL_FACE);
-        gl.CullFace(GL_FRONT);
-        mesh.draw_triangles();
-        gl.CullFace(GL_BACK);
-        mesh.draw_triangles();
-        gl.DepthMask(GL_TRUE);
-        gl.Disable(GL_BLEND);
-        return;
-    }
+    if (under_lines) gl.Enable(GL_POLYGON_OFFSET_FILL);
+    gl.PolygonOffset(1.0f, 1.0f);
     gl.CullFace(GL_BACK);
     if (variant & Variant::both_sides)
         gl.Disable(GL_CULL_FACE);
     else
         gl.Enable(GL_CULL_FACE);
+}
+
+void Renderer::Parts::draw_faces(const Style& style)
+{
+    if (!style.see_through) {
+        mesh.draw_triangles();
+        return;
+    }
+    // Far sides first; within each pass the order does not matter much at this opacity, and nothing is sorted.
+    gl.Enable(GL_BLEND);
+    gl.DepthMask(GL_FALSE);
+    gl.Enable(GL_CULL_FACE);
+    gl.CullFace(GL_FRONT);
     mesh.draw_triangles();
+    gl.CullFace(GL_BACK);
+    mesh.draw_triangles();
+    gl.DepthMask(GL_TRUE);
+    gl.Disable(GL_BLEND);
+}
+
+/// Once more, in another colour, over what the base shows of these faces: nothing else is that far from the eye.
+void Renderer::Parts::draw_painted(const DrawLists& lists, const Camera& camera, const Style& style, const Overlay& overlay)
+{
+    use_faces(camera, style);
+    const std::array<float, 3> paint = floats(overlay.paint);
+    gl.Uniform4f(face_program(variant).uniform("paint"), paint[0], paint[1], paint[2], 1.0f);
+    if (style.see_through) gl.Enable(GL_BLEND);
+    gl.DepthMask(GL_FALSE);
+    mesh.draw_faces(lists, overlay.painted);
+    gl.DepthMask(GL_TRUE);
+    gl.Disable(GL_BLEND);
+    gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
 void Renderer::Parts::draw_lines(Colour colour, double opacity)
@@ -294,6 +320,8 @@ void Renderer::Parts::draw_overlay(const DrawLists& lists, const Camera& camera,
         }
     };
 
+    if (!style.wireframe && !overlay.painted.empty()) draw_painted(lists, camera, style, overlay);
+
     // Tints: the faces drawn once more, a little nearer.
     if (!style.wireframe && !(overlay.hovered.empty() && overlay.pressed.empty() && overlay.failed.empty())) {
         const Program& program = line_program();
@@ -309,8 +337,10 @@ void Renderer::Parts::draw_overlay(const DrawLists& lists, const Camera& camera,
             gl.Uniform4f(program.uniform("colour"), c[0], c[1], c[2], opacity);
             mesh.draw_faces(lists, chosen);
         };
-        tint(overlay.hovered, overlay.highlight, 0.10f);
-        tint(overlay.pressed, overlay.highlight, 0.22f);
+        if (overlay.painted.empty()) { // or it would not be seen what colour they get
+            tint(overlay.hovered, overlay.highlight, 0.10f);
+            tint(overlay.pressed, overlay.highlight, 0.22f);
+        }
         tint(overlay.failed, overlay.error, 0.30f);
         gl.Disable(GL_POLYGON_OFFSET_FILL);
         gl.DepthMask(GL_TRUE);
@@ -336,7 +366,7 @@ void Renderer::Parts::draw_overlay(const DrawLists& lists, const Camera& camera,
     over.insert(over.end(), overlay.lines.begin(), overlay.lines.end());
 
     std::optional<double> shift;
-    if (!style.wireframe && !style.see_through) shift = camera.depth_shift(4 * scale, lists.bounds());
+    if (!style.wireframe && !style.see_through) shift = camera.depth_shift(4 * scale, lists.reach());
     thick.draw(seen, lists.origin(), to_clip, camera.width(), camera.height(), shift);
     thick.draw(over, lists.origin(), to_clip, camera.width(), camera.height(), std::nullopt);
 

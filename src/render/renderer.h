@@ -43,12 +43,13 @@ struct Overlay {
     std::vector<Face> hovered; // thin outline in the highlight colour
     std::vector<Face> pressed; // outline of 3 pixels over everything, and a tint
     std::vector<Face> failed;  // outline in the error colour
+    std::vector<Face> painted; // drawn as if their group had the colour `paint`
     std::vector<Edge> edges;   // selected edges and vertices
     std::vector<Vertex> vertices;
     std::vector<ThickLine> lines;        // in model space, over everything
     std::vector<ThickLine> screen_lines; // in pixels from the top left corner (z is not used), over everything
 
-    Colour highlight{0x2b, 0x73, 0xff}, error{0xe5, 0x48, 0x4d};
+    Colour highlight{0x2b, 0x73, 0xff}, error{0xe5, 0x48, 0x4d}, paint{0xcc, 0xcc, 0xcc};
 
     friend bool operator==(const Overlay&, const Overlay&) = default;
 };

@@ -65,6 +65,7 @@ layout(location = 3) in uint flags;
 uniform mat4 to_clip;
 uniform mat3 to_eye;
 uniform vec3 selected_colour;
+uniform vec4 paint; // in place of the colour, if its last is 1
 flat out vec3 front;
 #ifdef BOTH_SIDES
 flat out vec3 back;
@@ -89,7 +90,8 @@ void main()
 {
     vec4 clip = to_clip * vec4(position, 1.0);
     gl_Position = clip;
-    vec3 base = (flags & 8u) != 0u ? mix(colour.rgb, selected_colour, 0.42) : colour.rgb;
+    vec3 base = mix(colour.rgb, paint.rgb, paint.a);
+    if ((flags & 8u) != 0u) base = mix(base, selected_colour, 0.42);
 #ifdef SMOOTH
     bent = to_eye * vertex_normal.xyz;
     front = base;

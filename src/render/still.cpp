@@ -44,12 +44,24 @@ Image draw(const DrawLists& lists, const StillOptions& options)
     return image;
 }
 
+GroupColours chosen(const GroupColours& colours, const StillOptions& options)
+{
+    if (options.groups) return colours;
+    return [plain = colours(0)](int) { return plain; };
+}
+
 } // namespace
 
 Image draw_still(const Mesh& mesh, const GroupColours& colours, const StillOptions& options)
 {
-    const GroupColours plain = [&](int) { return colours(0); };
-    return draw(DrawLists(mesh, options.groups ? colours : plain), options);
+    return draw(DrawLists(mesh, chosen(colours, options)), options);
+}
+
+Image draw_still(const Mesh& mesh, const Division& division, const GroupColours& colours, const StillOptions& options)
+{
+    DrawLists lists;
+    lists.build(mesh, chosen(colours, options), division);
+    return draw(lists, options);
 }
 
 Image draw_still(const Graph& graph, const StillOptions& options)

@@ -25,6 +25,9 @@ struct StillOptions {
 /// @throws SystemError if OSMesa is missing
 Image draw_still(const Mesh& mesh, const GroupColours& colours, const StillOptions& options);
 
+/// The same of a mesh that shows another one smooth.
+Image draw_still(const Mesh& mesh, const Division& division, const GroupColours& colours, const StillOptions& options);
+
 /// The same of a graph: its edges as lines.
 Image draw_still(const Graph& graph, const StillOptions& options);
 

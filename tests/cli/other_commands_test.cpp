@@ -93,6 +93,27 @@ TEST(Render, DrawsAPicture)
     EXPECT_EQ(piped.out, png);
 }
 
+TEST(Render, DrawsTheSurfaceThatSubdivisionGoesTo)
+{
+    const Folder folder;
+    const std::vector<std::string> as{"--size", "96x72", "--view", "-30,20", "--groups"};
+    const auto picture = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), as.begin(), as.end());
+        const Ended ended = druse(arguments, folder.path());
+        EXPECT_TRUE(ended.status == 0 || ended.status == 3) << ended.err;
+        return ended.out;
+    };
+    const std::string smooth = picture({"render", models + "/colored_cube.obj", "-o", "-", "--smooth"});
+    if (smooth.empty()) GTEST_SKIP() << "there is no OSMesa";
+    // The same as the operator makes, at the level that the preview chooses for a cube.
+    druse({"apply", models + "/colored_cube.obj", "-c", "remesh.subdivide_limit level=5", "-o", "limit.obj"}, folder.path());
+    EXPECT_EQ(smooth, picture({"render", "limit.obj", "-o", "-", "--shading", "smooth"}));
+    EXPECT_NE(smooth, picture({"render", models + "/colored_cube.obj", "-o", "-", "--shading", "smooth"}));
+
+    const std::string open = folder.write("open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n").string();
+    expect_error({"render", open, "-o", "a.png", "--smooth"}, "render: --smooth: the model is open: 3 boundary edges");
+}
+
 TEST(Render, DrawsAGraph)
 {
     const Folder folder;

@@ -3,8 +3,10 @@
 
 #include "ops/remesh_catmull_clark.h"
 #include "ops/remesh_loop.h"
+#include "ops/smooth_surface.h"
 #include "remesh_models.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace druse {
@@ -101,6 +103,21 @@ TEST(RemeshLimit, SaysWhatItCannotUse)
     run(many, "make.cube");
     run(many, "remesh.linear", {{"iterations", "4"}});
     EXPECT_EQ(complaint(std::move(many), "remesh.subdivide_limit", {{"level", "8"}}), "would make 201326592 edges, more than 20 million"); // 12·4¹²
+}
+
+TEST(SmoothSurface, KnowsWhichFaceEachPartIsOf)
+{
+    for (Mesh mesh : {cube(), l_prism(), torus(20, 9), prism(50)}) {
+        for (const Face f : mesh.faces()) mesh.set_group(f, 1 + int(f.index));
+        Progress progress;
+        const SmoothSurface surface = smooth_surface(mesh, progress);
+        ASSERT_EQ(surface.old_face.size(), surface.mesh.face_count());
+        const std::size_t faces = surface.mesh.face_count();
+        EXPECT_LE(faces, 100'000u);
+        EXPECT_TRUE(4 * faces > 100'000 || faces == 2 * mesh.edge_count() * 256) << "as fine as may be, up to level 5";
+        for (const Face part : surface.mesh.faces()) ASSERT_EQ(surface.mesh.group(part), 1 + int(surface.old_face[part.index]));
+        EXPECT_TRUE(std::ranges::is_sorted(surface.old_face));
+    }
 }
 
 } // namespace

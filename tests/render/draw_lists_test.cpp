@@ -100,6 +100,58 @@ TEST_P(EveryShape, IsDrawnWithAllItsFacesAndSides)
     EXPECT_EQ(lists.boundary_sides().size(), boundary_edge_count(mesh));
 }
 
+TEST(DrawLists, ShowOnlyTheSidesBetweenPartsOfDifferentFaces)
+{
+    // A torus of 8 by 6 squares, as if each 2 by 2 of them had been one.
+    const Mesh mesh = torus(8, 6);
+    std::vector<std::uint32_t> block(mesh.face_count());
+    for (const Face f : mesh.faces()) block[f.index] = (f.index / 6 / 2) * 3 + f.index % 6 / 2;
+    DrawLists lists;
+    lists.build(mesh, by_group, Division(mesh, block));
+    EXPECT_TRUE(lists.is_divided());
+    EXPECT_EQ(lists.edges().size(), mesh.edge_count() / 2) << "of four squares in a block the 4 inner sides are gone, and half of 8 are its own";
+    std::size_t sides = 0;
+    for (const Face f : mesh.faces()) {
+        EXPECT_EQ(lists.sides(f).size(), 2u);
+        sides += lists.sides(f).size();
+    }
+    EXPECT_EQ(sides, 2 * lists.edges().size());
+    for (const auto& [a, b] : lists.edges()) {
+        bool found = false;
+        for (const Edge e : mesh.edges()) {
+            const auto [v, w] = mesh.ends(e);
+            if (v.index != a || w.index != b) continue;
+            const auto [f, g] = mesh.faces(e);
+            found = block[f.index] != block[g.index];
+        }
+        EXPECT_TRUE(found);
+    }
+    EXPECT_FALSE(DrawLists(mesh, by_group).is_divided());
+}
+
+TEST(DrawLists, KnowTheirShapeFromTheirLooks)
+{
+    Mesh mesh = torus(8, 6);
+    DrawLists lists(mesh, by_group);
+    const std::uint64_t shape = lists.shape_version();
+    const std::vector<std::uint32_t> normals = lists.smooth_normals();
+    lists.select(std::vector<Face>{Face(3)});
+    mesh.set_group(Face(5), 2);
+    MeshDelta delta;
+    delta.regrouped = {Face(5)};
+    lists.update(mesh, delta, by_group);
+    lists.recolour(mesh, [](int) { return Colour{1, 2, 3}; });
+    EXPECT_EQ(lists.shape_version(), shape);
+    EXPECT_EQ(lists.smooth_normals(), normals);
+
+    mesh.set_position(Vertex(7), mesh.position(Vertex(7)) + Vector(0.1, 0, 0));
+    delta = {};
+    delta.vertices = {Vertex(7)};
+    lists.update(mesh, delta, by_group);
+    EXPECT_NE(lists.shape_version(), shape);
+    EXPECT_NE(lists.smooth_normals(), normals);
+}
+
 TEST(DrawLists, ShareVerticesAsFarAsTrianglesAllow)
 {
     // A torus of quads has as many vertices as faces, hence half as many as triangles; each triangle needs a last one of its own.

@@ -394,6 +394,53 @@ TEST_F(RendererTest, ShowsItsPictureInAnotherFramebuffer)
     }
 }
 
+TEST_F(RendererTest, ShowsPaintedFacesAsIfTheirGroupHadThatColour)
+{
+    const Mesh mesh = coloured(torus(12, 8));
+    Overlay overlay;
+    overlay.painted = {Face(3), Face(4), Face(5), Face(40), Face(41), Face(77)};
+    overlay.paint = {30, 200, 120};
+    Mesh painted = mesh;
+    for (const Face f : overlay.painted) painted.set_group(f, 99);
+    DrawLists lists(mesh, vivid), expected(painted, [&](int group) { return group == 99 ? overlay.paint : vivid(group); });
+    lists.select(std::vector<Face>{Face(41)});
+    expected.select(std::vector<Face>{Face(41)});
+    const Camera camera = camera_at(lists, "iso");
+    for (int bits = 0; bits < 8; ++bits) {
+        Style style = plain();
+        style.shading = bits & 1 ? Style::Shading::smooth : Style::Shading::flat;
+        style.edges = bits & 2;
+        style.edge_method = bits & 4 ? Style::EdgeMethod::lines : Style::EdgeMethod::surface;
+        for (const int samples : {0, 4}) {
+            const Image before = studio.picture(lists, camera, style, {}, samples), image = studio.picture(lists, camera, style, overlay, samples);
+            EXPECT_FALSE(image == before) << bits;
+            EXPECT_TRUE(image == studio.picture(expected, camera, style, {}, samples)) << bits;
+        }
+    }
+}
+
+TEST_F(RendererTest, DrawsOutlinesAroundADividedMeshWhole)
+{
+    // A small cube that stands for a large one.
+    Mesh small = cube();
+    for (const Vertex v : small.vertices()) small.set_position(v, 0.1 * small.position(v));
+    DrawLists lists;
+    lists.build(small, vivid, Division(cube(), {0, 1, 2, 3, 4, 5}));
+    const Mesh large = cube();
+    const DrawLists whole(large, vivid);
+    const Camera camera = camera_at(whole, "iso");
+    Overlay overlay;
+    for (const Edge e : large.edges()) {
+        const auto [a, b] = large.ends(e);
+        overlay.lines.push_back({large.position(a), large.position(b), overlay.highlight, 3, 1});
+    }
+    const Image image = studio.picture(lists, camera, plain(), overlay);
+    for (const Edge e : large.edges()) {
+        const auto [a, b] = large.ends(e);
+        EXPECT_TRUE(is_near(pixel_at(image, camera, glm::mix(large.position(a), large.position(b), 0.3)), blue, 8)) << e.index;
+    }
+}
+
 TEST_F(RendererTest, IsDestroyedInPeaceAfterItsContext)
 {
     std::thread([] {
