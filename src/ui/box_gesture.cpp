@@ -1,6 +1,9 @@
 #include "ui/box_gesture.h"
 
+#include "ui/layout.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace druse::ui {
 
@@ -17,6 +20,14 @@ void select(Session& session, const char* what, const std::vector<H>& handles, c
 }
 
 } // namespace
+
+void BoxGesture::add_to(Overlay& overlay) const
+{
+    const Point a(start_.x, start_.y, 0), c(end_.x, end_.y, 0);
+    const Point b(c.x, a.y, 0), d(a.x, c.y, 0);
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, d), std::pair(d, a)})
+        overlay.screen_lines.push_back({from, to, overlay.highlight, 1.5 * layout().scale, 1});
+}
 
 void BoxGesture::release(const Pointer& pointer)
 {

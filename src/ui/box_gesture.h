@@ -14,9 +14,7 @@ public:
     }
     void move(const Pointer& pointer) override { end_ = pointer; }
     void release(const Pointer& pointer) override;
-
-    const Pointer& start() const { return start_; }
-    const Pointer& end() const { return end_; }
+    void add_to(Overlay& overlay) const override;
 
 private:
     Element element_;

@@ -3,7 +3,7 @@
 #include "ui/gesture.h"
 #include "ui/tool.h"
 
-#include <functional>
+#include <optional>
 
 namespace druse::ui {
 
@@ -12,15 +12,19 @@ namespace druse::ui {
 class ClickGesture : public Gesture {
 public:
     /// `show` is told what is outlined as pressed.
-    ClickGesture(Tool& tool, const Pointer& start, std::function<void(const std::optional<Target>&)> show);
+    ClickGesture(Tool& tool, const Pointer& start, Tool::ShowTarget show);
     void move(const Pointer& pointer) override;
     void release(const Pointer& pointer) override;
     void cancel() override { show_({}); }
+    void add_to(Overlay& overlay) const override;
 
 private:
     Tool& tool_;
-    std::function<void(const std::optional<Target>&)> show_;
+    Tool::ShowTarget show_;
+    std::optional<Target> target_; // under the pointer
     bool twice_;
+
+    void aim(const Pointer& pointer);
 };
 
 } // namespace druse::ui

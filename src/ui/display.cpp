@@ -1,5 +1,6 @@
 #include "ui/display.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace druse::ui {
@@ -24,6 +25,27 @@ void build(DrawLists& lists, const Document& document)
 
 } // namespace
 
+std::vector<GroupSize> group_sizes(const Mesh& mesh)
+{
+    std::vector<GroupSize> sizes;
+    if (std::size_t(mesh.largest_group()) <= 2 * std::size_t(mesh.face_count()) + 1000) {
+        std::vector<std::uint32_t> counts(std::size_t(mesh.largest_group()) + 1, 0);
+        for (const Face f : mesh.faces()) ++counts[std::size_t(mesh.group(f))];
+        for (std::size_t id = 0; id < counts.size(); ++id)
+            if (counts[id] > 0) sizes.push_back({static_cast<int>(id), counts[id]});
+        return sizes;
+    }
+    std::vector<int> ids;
+    ids.reserve(mesh.face_count());
+    for (const Face f : mesh.faces()) ids.push_back(mesh.group(f));
+    std::ranges::sort(ids);
+    for (const int id : ids) {
+        if (sizes.empty() || sizes.back().id != id) sizes.push_back({id, 0});
+        ++sizes.back().faces;
+    }
+    return sizes;
+}
+
 DisplayChange::DisplayChange(const Document& document, MeshDelta delta) : delta_(std::move(delta))
 {
     const Scene& scene = document.scene();
@@ -33,6 +55,7 @@ DisplayChange::DisplayChange(const Document& document, MeshDelta delta) : delta_
         lists_.emplace();
         build(*lists_, document);
     }
+    if (delta_.whole || !delta_.faces.empty() || !delta_.regrouped.empty()) group_sizes_ = group_sizes(scene.mesh);
     if (scene.mesh.face_count() <= quickly_counted) facts_ = facts(scene.mesh);
     if (scene.selection->faces.size() <= most_starts)
         for (const Face f : scene.selection->faces) {
@@ -57,6 +80,7 @@ void DisplayChange::apply_to(Display& display, const Document& document)
     display.counts = scene.mesh.counts();
     display.facts = std::move(facts_);
     display.groups = scene.groups;
+    if (group_sizes_) display.group_sizes = std::move(*group_sizes_);
     display.selection = scene.selection;
     display.starts = std::move(starts_);
 

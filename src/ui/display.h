@@ -5,6 +5,7 @@
 #include "render/draw_lists.h"
 #include "render/mesh_delta.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,12 +13,23 @@
 
 namespace druse::ui {
 
+/// How many faces a group has.
+struct GroupSize {
+    int id = 0;
+    std::uint32_t faces = 0;
+    friend bool operator==(const GroupSize&, const GroupSize&) = default;
+};
+/// The groups that faces are in, by ascending id; 0 too, if faces are in none. Cost: linear, and for ids far above the number of faces that
+/// of sorting.
+std::vector<GroupSize> group_sizes(const Mesh& mesh);
+
 /// Everything that the window shows of a document, in a copy of its own: it stays while a command works on the document.
 struct Display {
     DrawLists lists;
     Counts counts;
     std::optional<MeshFacts> facts; // of the state shown; nothing while they are not counted yet
     Shared<GroupTable> groups;
+    Shared<std::vector<GroupSize>> group_sizes;
     Shared<Selection> selection;
     std::vector<Point> starts; // start corners of the selected faces, a little way into the face
 
@@ -42,6 +54,7 @@ private:
     MeshDelta delta_;
     std::optional<DrawLists> lists_;
     std::optional<MeshFacts> facts_;
+    std::optional<std::vector<GroupSize>> group_sizes_; // if they may have changed
     std::vector<Point> starts_;
 };
 

@@ -5,15 +5,17 @@
 
 #include <FL/fl_draw.H>
 
+#include <algorithm>
+
 namespace druse::ui {
 
 namespace {
 
-/// Takes the last character, of however many bytes, off a text in UTF-8.
-void drop_last(std::string& text)
+/// The end of the last whole character, of however many bytes, before `end` in a text in UTF-8.
+std::size_t character_end(const std::string& text, std::size_t end)
 {
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
-    if (!text.empty()) text.pop_back();
+    while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+    return end;
 }
 
 } // namespace
@@ -22,11 +24,17 @@ void draw_text(const std::string& text, int x, int y, int w, int h, Fl_Color col
 {
     if (w <= 0) return;
     fl_color(colour);
-    std::string shown = text;
-    if (fl_width(shown.c_str()) > w) {
+    // A command may name a million faces: no more of it is looked at than could be seen, were every character a pixel wide.
+    std::string shown = text.substr(0, character_end(text, std::min(text.size(), 4 * std::size_t(w))));
+    if (shown.size() < text.size() || fl_width(shown.c_str()) > w) {
         const char* dots = "…";
         const double room = w - fl_width(dots);
-        while (!shown.empty() && fl_width(shown.c_str()) > room) drop_last(shown);
+        std::size_t fits = 0, beyond = shown.size() + 1;
+        while (beyond - fits > 1) {
+            const std::size_t middle = fits + (beyond - fits) / 2;
+            (fl_width(shown.c_str(), int(character_end(shown, middle))) <= room ? fits : beyond) = middle;
+        }
+        shown.resize(character_end(shown, fits));
         shown += dots;
     }
     const int width = static_cast<int>(fl_width(shown.c_str()) + 0.5);

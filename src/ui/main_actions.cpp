@@ -5,9 +5,13 @@
 
 #include <FL/Fl.H>
 
+#include <set>
+
 namespace druse::ui {
 
 namespace {
+
+constexpr double brush_step = 8; // pixels
 
 /// A toggle of something in the style.
 template <class Get, class Set>
@@ -79,10 +83,10 @@ void add_select_actions(Actions& list, MainWindow& w)
     list.push_back({"Select/Same group", 'g', [&session] {
                         // The groups of all selected faces.
                         const Display& display = session.display();
+                        std::set<int> groups;
+                        for (const Face f : display.selection->faces) groups.insert(display.lists.group(f));
                         std::string text;
-                        for (const Face f : display.selection->faces)
-                            if (const std::string term = "group:" + std::to_string(display.lists.group(f)); ("+" + text + "+").find("+" + term + "+") == std::string::npos)
-                                text += (text.empty() ? "" : "+") + term;
+                        for (const int group : groups) text += (text.empty() ? "group:" : "+group:") + std::to_string(group);
                         session.run("select.faces faces=" + (text.empty() ? "selected" : text));
                     }});
     list.push_back(command(w, "Select/More", ']', "select.grow"));
@@ -92,6 +96,20 @@ void add_select_actions(Actions& list, MainWindow& w)
     list.push_back(element(w, "Select/Edges by click", FL_F + 3, Element::edge));
     list.push_back(element(w, "Select/Vertices by click", FL_F + 4, Element::vertex));
     list.back().divider = true;
+}
+
+void add_group_actions(Actions& list, MainWindow& w)
+{
+    GroupsPanel& groups = w.groups();
+    list.push_back({"Group/New group of the selection", 0, [&groups] { groups.make_group(); }});
+    list.push_back({"Group/Take the selection out", 0, [&groups] { groups.clear(); }});
+    list.push_back({"Group/Select the chosen group", 0, [&groups] { groups.select(); }});
+    list.push_back({"Group/Colour of the chosen group…", 0, [&groups] { groups.list().ask_colour(); }});
+    list.push_back({"Group/Name of the chosen group", 0, [&groups] { groups.list().rename(); }});
+    list.push_back({.path = "Group/Default colours", .run = [&groups] { groups.default_colours(); }, .divider = true});
+    list.push_back({"Group/Paint faces", 'p', [&groups] { groups.toggle_brush(); }, [&groups] { return groups.has_brush(); }});
+    list.push_back({"Group/Larger brush", '.', [&groups] { groups.resize_brush(brush_step); }});
+    list.push_back({.path = "Group/Smaller brush", .shortcut = ',', .run = [&groups] { groups.resize_brush(-brush_step); }, .divider = true});
 }
 
 void add_view_actions(Actions& list, MainWindow& w)
@@ -114,6 +132,11 @@ void add_view_actions(Actions& list, MainWindow& w)
                     .divider = true});
     list.push_back(style_toggle(w, "View/Edges", 'e', [](const Style& s) { return s.edges; }, [](Style& s, bool on) { s.edges = on; }));
     list.push_back(style_toggle(w, "View/Wireframe", 'w', [](const Style& s) { return s.wireframe; }, [](Style& s, bool on) { s.wireframe = on; }));
+    SmoothPreview& smooth = view.smooth();
+    list.push_back({.path = "View/Smooth preview",
+                    .shortcut = 's',
+                    .run = [&smooth] { smooth.set_on(!smooth.is_on()); },
+                    .is_on = [&smooth] { return smooth.is_on(); }});
     list.push_back(style_toggle(w, "View/Smooth shading", 0, [](const Style& s) { return s.shading == Style::Shading::smooth; },
                                 [](Style& s, bool on) { s.shading = on ? Style::Shading::smooth : Style::Shading::flat; }));
     list.push_back(style_toggle(w, "View/Back faces", FL_SHIFT + 'b', [](const Style& s) { return s.back_faces; }, [](Style& s, bool on) { s.back_faces = on; }));
@@ -135,6 +158,7 @@ Actions main_actions(MainWindow& window)
     add_file_actions(list, window);
     add_edit_actions(list, window);
     add_select_actions(list, window);
+    add_group_actions(list, window);
     add_view_actions(list, window);
     list.push_back({"Help/This operator", FL_F + 1, [&window] { window.show_help(); }});
     return list;

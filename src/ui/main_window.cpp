@@ -5,6 +5,7 @@
 #include "ui/help_window.h"
 #include "ui/layout.h"
 #include "ui/main_actions.h"
+#include "ui/paint_tool.h"
 #include "ui/palette.h"
 #include "ui/preferences_dialog.h"
 #include "ui/theme.h"
@@ -39,11 +40,11 @@ MainWindow::MainWindow(Session& session, Preferences& preferences, const Options
     : Fl_Double_Window(w, h, "Druse"), session_(session), preferences_(preferences), options_(options), view_(session),
       files_(session), pictures_([this](const Mesh& solid, int size) { return viewport_.picture_of(solid, size); }),
       tree_(session, pictures_, 0, 0, 1, 1), parameters_(session, pictures_, 0, 0, 1, 1), view_bar_(session, view_, 0, 0, 1, 1),
-      no_view_(0, 0, 1, 1), viewport_(session, view_, 0, 0, 10, 10), history_(session, 0, 0, 1, 1), groups_(session, 0, 0, 1, 1),
+      no_view_(0, 0, 1, 1), viewport_(session, view_, 0, 0, 10, 10), history_(session, 0, 0, 1, 1), groups_(session, view_, 0, 0, 1, 1),
       facts_(session, 0, 0, 1, 1), history_section_("History", history_), groups_section_("Groups", groups_),
       facts_section_("Print check", facts_), tree_divider_(true), status_(session, 0, 0, 1, 1), show_progress_([this] {
           status_.update_progress();
-          if (session_.is_working()) show_progress_.start(progress_tick);
+          if (session_.is_working() || view_.smooth().is_computing()) show_progress_.start(progress_tick);
       }),
       count_facts_([this] { session_.count_facts(); }), forget_failed_([this] {
           session_.forget_failed_faces();
@@ -83,6 +84,17 @@ MainWindow::MainWindow(Session& session, Preferences& preferences, const Options
     };
     session_.on_output = [](const std::string& title, const std::string& text) { show_text(title, text); };
     view_.on_event = [this](const std::string& line) { event(line); };
+    view_.smooth().wake = [this] {
+        Fl::awake([](void* smooth) { static_cast<SmoothPreview*>(smooth)->finish(); }, &view_.smooth());
+    };
+    view_.smooth().on_change = [this] { smooth_changed(); };
+    status_.side_work = [this]() -> std::optional<SideWork> {
+        SmoothPreview& smooth = view_.smooth();
+        if (!smooth.is_computing()) return {};
+        return SideWork{"smoothing", smooth.fraction(), [&smooth] { smooth.set_on(false); }};
+    };
+    groups_.list().on_carry = [this](GroupList::Carry what, int group) { carry(what, group); };
+    groups_.on_change = [this] { update_hint(), viewport_.redraw(), status_.redraw(); };
     viewport_.on_frame = [this](int frame) {
         event("frame " + std::to_string(frame));
         if (view_.is_animating()) animate_.start(frame_time);
@@ -110,6 +122,8 @@ MainWindow::~MainWindow()
     session_.on_output = nullptr;
     session_.wake = nullptr;
     view_.on_event = nullptr;
+    view_.smooth().wake = nullptr;
+    view_.smooth().on_change = nullptr;
     view_.on_menu = nullptr;
     hide();
     // As its parts go one by one, FLTK looks for another to give the pointer to: there is none from here on.
@@ -184,7 +198,8 @@ void MainWindow::event(const std::string& line)
 
 void MainWindow::update_hint()
 {
-    status_.set_hint(view_.hint());
+    const std::string& of_list = groups_.list().hint();
+    status_.set_hint(of_list.empty() ? view_.hint() : of_list);
     const bool acts = session_.chosen() && acts_on_click(*session_.chosen());
     if (acts == cross_ || !viewport_.shown()) return;
     cross_ = acts;
@@ -209,8 +224,19 @@ void MainWindow::refresh()
     if (on_change) on_change();
 }
 
+/// The smooth preview came, went, or is on its way.
+void MainWindow::smooth_changed()
+{
+    viewport_.redraw();
+    view_bar_.refresh();
+    menu_->refresh();
+    status_.update(preferences_.unit);
+    if (view_.smooth().is_computing()) show_progress_.start(progress_tick);
+}
+
 void MainWindow::later()
 {
+    if (view_.smooth().is_computing()) show_progress_.start(progress_tick);
     if (!viewport_.reason().empty() && viewport_.visible()) give_up_view_.start(0);
     if (session_.is_working()) show_progress_.start(progress_tick);
     if (!session_.busy() && !session_.display().facts) count_facts_.start(facts_delay);
@@ -267,6 +293,7 @@ void MainWindow::escape()
     const Selection& selection = *session_.display().selection;
     if (view_.cancel()) return;
     if (session_.is_working()) session_.cancel();
+    else if (view_.smooth().is_computing()) view_.smooth().set_on(false);
     else if (is_text_field(Fl::focus())) viewport_.take_focus();
     else if (session_.chosen()) session_.choose(nullptr);
     else if (!selection.faces.empty()) session_.run("select.faces faces=none");
@@ -288,6 +315,25 @@ bool MainWindow::other_key(int key)
     else if (key == FL_KP + '-') view_.zoom(0.8);
     else return false;
     return true;
+}
+
+/// A swatch of the palette, dragged beyond it: over the view it is a tool.
+void MainWindow::carry(GroupList::Carry what, int group)
+{
+    using Carry = GroupList::Carry;
+    if (what == Carry::cancel) {
+        if (carrying_) view_.cancel();
+        carrying_ = false;
+        return;
+    }
+    Pointer p;
+    p.x = Fl::event_x() - viewport_.x() + 0.5;
+    p.y = Fl::event_y() - viewport_.y() + 0.5;
+    p.button = 1;
+    if (!carrying_) view_.carry(view_.make_tool<DropGroupTool>(group), p);
+    carrying_ = what == Carry::move;
+    carrying_ ? view_.drag(p) : view_.release(p);
+    update_hint();
 }
 
 // --- what the menus do with the window ----------------------------------------------------------------------------------------

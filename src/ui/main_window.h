@@ -50,6 +50,7 @@ public:
     FileCommands& files() { return files_; }
     Preferences& preferences() { return preferences_; }
     Menu& menu() { return *menu_; }
+    GroupsPanel& groups() { return groups_; }
     ParameterPanel& parameters() { return parameters_; }
     const Actions& actions() const { return actions_; }
 
@@ -73,6 +74,8 @@ private:
     void refresh(); // after a change of the session
     void later();   // what need not be done at once
     void escape();
+    void carry(GroupList::Carry what, int group);
+    void smooth_changed();
     bool other_key(int key);
     void show_missing_view();
     void frame_what_is_new();
@@ -105,6 +108,7 @@ private:
     std::filesystem::path framed_file_;
     bool framed_ = false;
     bool cross_ = false; // the pointer in the view
+    bool carrying_ = false; // a group over the view
     bool closing_ = false;
 };
 

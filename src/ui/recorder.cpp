@@ -1,6 +1,7 @@
 #include "ui/recorder.h"
 
 #include "ui/key_names.h"
+#include "ui/list_view.h"
 #include "ui/main_window.h"
 
 #include "dlfl/errors.h"
@@ -31,6 +32,7 @@ std::string held()
 bool opens_something(const Fl_Widget* widget)
 {
     const std::string_view label = widget && widget->label() ? widget->label() : "";
+    if (const auto* list = dynamic_cast<const ListView*>(widget); list && list->asks()) return true;
     return dynamic_cast<const Fl_Choice*>(widget) || (dynamic_cast<const Fl_Button*>(widget) && (label.ends_with("…") || label == "@#2>"));
 }
 
@@ -102,7 +104,7 @@ bool Recorder::asks(int key, int state) const
 void Recorder::follow(const std::string& line)
 {
     for (const auto& [event, verb] : {std::pair("opened ", "open "), std::pair("saved ", "save "), std::pair("exported ", "export "),
-                                      std::pair("set ", "set "), std::pair("preset ", "preset ")})
+                                      std::pair("set ", "set "), std::pair("preset ", "preset "), std::pair("run ", "run ")})
         if (line.starts_with(event)) write(verb + line.substr(std::string_view(event).size()));
 }
 

@@ -204,6 +204,12 @@ void Session::repeat()
 
 void Session::run(const std::string& command) { submit({.command = presets_.expand(registry_, command)}); }
 
+void Session::run_chosen(const std::string& command)
+{
+    event("run " + command);
+    run(command);
+}
+
 void Session::go_to(std::size_t step) { run(fmt::format("document.goto step={}", step)); }
 
 void Session::open(const std::filesystem::path& file) { submit({.task = Request::Task::open, .file = std::filesystem::absolute(file)}); }

@@ -60,8 +60,8 @@ public:
     const std::vector<Face>& failed_faces() const { return failed_; }
     void forget_failed_faces() { failed_.clear(); }
     const Registry& registry() const { return registry_; }
-    /// The mesh itself, for looking up corners; null while a command works on it.
-    const Mesh* mesh() const { return busy() ? nullptr : &document_.scene().mesh; }
+    /// The mesh itself, for looking up corners; null while a command works on it. What runs in the background only reads it.
+    const Mesh* mesh() const { return is_working() ? nullptr : &document_.scene().mesh; }
 
     // --- the chosen operator --------------------------------------------------------------------------------------------
 
@@ -91,6 +91,8 @@ public:
     void set_live(bool on);
     /// True while the last step can be adjusted: it was made with the chosen operator, and nothing happened since.
     bool is_bound() const { return bound_.has_value(); }
+    /// Leaves the last step as it is: values that are set from here on are for the next one.
+    void let_go() { bound_.reset(); }
     /// The arguments beside the panel's that the bound step was made with; empty if nothing is bound.
     std::string bound_target() const;
 
@@ -104,6 +106,8 @@ public:
     void repeat();
     /// Runs any command.
     void run(const std::string& command);
+    /// The same of one that was chosen in a menu or dialog; the event log tells of it.
+    void run_chosen(const std::string& command);
     void undo() { run("document.undo"); }
     void redo() { run("document.redo"); }
     void go_to(std::size_t step);

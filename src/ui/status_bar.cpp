@@ -54,9 +54,18 @@ StatusBar::StatusBar(Session& session, int x, int y, int w, int h)
     cancel_.box(FL_FLAT_BOX);
     cancel_.color(theme().header);
     cancel_.tooltip("Cancel (Escape)");
-    cancel_.callback([](Fl_Widget*, void* p) { static_cast<StatusBar*>(p)->session_.cancel(); }, this);
+    cancel_.callback([](Fl_Widget*, void* p) {
+        if (const auto work = static_cast<StatusBar*>(p)->work()) work->cancel();
+    }, this);
     cancel_.hide();
     arrange();
+}
+
+/// What a person may be waiting for.
+std::optional<SideWork> StatusBar::work() const
+{
+    if (session_.is_working()) return SideWork{session_.doing(), session_.fraction(), [this] { session_.cancel(); }};
+    return side_work ? side_work() : std::nullopt;
 }
 
 void StatusBar::arrange()
@@ -70,7 +79,7 @@ void StatusBar::arrange()
 void StatusBar::update(const std::string& unit)
 {
     parts_ = status_parts(session_.display(), unit);
-    if (!session_.is_working()) {
+    if (!work()) {
         progress_.hide();
         cancel_.hide();
     }
@@ -86,8 +95,9 @@ void StatusBar::set_hint(const std::string& hint)
 
 void StatusBar::update_progress()
 {
-    if (!session_.is_working()) return;
-    progress_.value(static_cast<float>(session_.fraction()));
+    const auto present = work();
+    if (!present) return;
+    progress_.value(static_cast<float>(present->fraction));
     progress_.show();
     cancel_.show();
     redraw();
@@ -114,7 +124,8 @@ void StatusBar::draw()
     const int right = progress_.visible() ? progress_.x() - l.gap() : x() + w() - l.margin();
     const Message& message = session_.message();
     const bool error = message.kind == Message::Kind::error && !message.text.empty();
-    const std::string& text = progress_.visible() ? session_.doing() : message.text.empty() ? hint_ : message.text;
+    const auto present = progress_.visible() ? work() : std::nullopt;
+    const std::string& text = present ? present->doing : message.text.empty() ? hint_ : message.text;
     draw_text(text, at, y(), right - at, h(), error && !progress_.visible() ? theme().error : theme().faint_text);
     draw_children();
 }

@@ -6,6 +6,8 @@
 #include <FL/Fl_Button.H>
 #include <FL/Fl_Progress.H>
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,13 @@ struct StatusPart {
 /// Counts, genus, parts, watertight or not, size and selection of what is shown.
 std::vector<StatusPart> status_parts(const Display& display, const std::string& unit);
 
+/// Something that takes its time, beside what the session does.
+struct SideWork {
+    std::string doing;
+    double fraction = 0;
+    std::function<void()> cancel;
+};
+
 /// The line at the bottom: what there is, what the mouse does or what went wrong, and how far a long job has come.
 class StatusBar : public Panel {
 public:
@@ -29,12 +38,16 @@ public:
     /// What the mouse does now; shown where there is no message.
     void set_hint(const std::string& hint);
     void update_progress();
+    /// What goes on beside the session; nothing: nothing.
+    std::function<std::optional<SideWork>()> side_work;
 
 protected:
     void arrange() override;
     void draw() override;
 
 private:
+    std::optional<SideWork> work() const;
+
     Session& session_;
     std::vector<StatusPart> parts_;
     std::string hint_;

@@ -1,14 +1,16 @@
 #include "ui/tool.h"
 
+#include "ui/click_gesture.h"
 #include "ui/corner_tools.h"
 #include "ui/element_tools.h"
 #include "ui/face_tool.h"
+#include "ui/paint_tool.h"
 
 namespace druse::ui {
 
 namespace {
 
-enum class Click { none, face, start_corner, corner_pair, edge, vertex };
+enum class Click { none, face, paint, start_corner, corner_pair, edge, vertex };
 
 bool takes(const Operator& op, const char* parameter, Parameter::Type type)
 {
@@ -25,12 +27,21 @@ Click click_of(const Operator& op)
     if (takes(op, "c1", Type::corner) && takes(op, "c2", Type::corner)) return Click::corner_pair;
     if (family == "face" && takes(op, "vertex", Type::id)) return Click::start_corner;
     if ((family == "extrude" || op.name == "rind.punch") && takes(op, "faces", Type::faces)) return Click::face;
+    if (family == "group" && takes(op, "faces", Type::faces) && op.find("id")) return Click::paint;
     if (family == "topology" && takes(op, "edges", Type::edges)) return Click::edge;
     if (family == "topology" && takes(op, "vertices", Type::vertices)) return Click::vertex;
     return Click::none;
 }
 
 } // namespace
+
+std::unique_ptr<Gesture> Tool::press(const Pointer& start, const ShowTarget& show) { return std::make_unique<ClickGesture>(*this, start, show); }
+
+std::optional<FaceHit> Tool::hit(const Pointer& p) const
+{
+    if (p.x < 0 || p.y < 0 || p.x > camera_.width() || p.y > camera_.height()) return {};
+    return pick_face(lists(), camera_.ray(p.x, p.y));
+}
 
 std::optional<Target> Tool::face_under(const Pointer& pointer) const
 {
@@ -52,10 +63,11 @@ std::vector<Face> Tool::group_of(Face f) const
     return result;
 }
 
-std::unique_ptr<Tool> tool_for(const Operator* op, Session& session, const Camera& camera)
+std::unique_ptr<Tool> tool_for(const Operator* op, Session& session, const Camera& camera, const ToolSettings& settings)
 {
     switch (op ? click_of(*op) : Click::none) {
     case Click::face: return std::make_unique<FaceTool>(session, camera);
+    case Click::paint: return std::make_unique<PaintTool>(session, camera, settings);
     case Click::start_corner: return std::make_unique<StartCornerTool>(session, camera);
     case Click::corner_pair: return std::make_unique<CornerPairTool>(session, camera);
     case Click::edge: return std::make_unique<EdgeTool>(session, camera);

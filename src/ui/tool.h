@@ -1,12 +1,13 @@
 #pragma once
 
-#include "ui/pointer.h"
+#include "ui/gesture.h"
 #include "ui/session.h"
 
 #include "render/camera.h"
 #include "render/draw_lists.h"
 #include "render/picking.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,9 +24,16 @@ struct Target {
     friend bool operator==(const Target&, const Target&) = default;
 };
 
+/// What a person has set of tools, beside the parameters of operators.
+struct ToolSettings {
+    double brush = 0; // radius in pixels; 0: only what is under the pointer itself
+};
+
 /// Acts on what is clicked: an armed operator, or the selection. Press shows the target, release acts on it.
 class Tool {
 public:
+    using ShowTarget = std::function<void(const std::optional<Target>&)>;
+
     Tool(Session& session, const Camera& camera) : session_(session), camera_(camera) {}
     virtual ~Tool() = default;
     Tool(const Tool&) = delete;
@@ -34,16 +42,25 @@ public:
     /// What a click here would act on; nothing if there is nothing.
     virtual std::optional<Target> under(const Pointer& pointer) const = 0;
     virtual void act(const Target& target, const Pointer& pointer) = 0;
+    /// What a press of the left button begins. As a rule a click: `show` is told what is outlined as pressed until it ends.
+    virtual std::unique_ptr<Gesture> press(const Pointer& start, const ShowTarget& show);
+    /// Draws over the mesh, besides outlines, what acting on the target would do.
+    virtual void preview(const Target&, Overlay&) const {}
+    /// Draws over the mesh what belongs to the pointer itself.
+    virtual void add_pointer(const Pointer&, Overlay&) const {}
     /// A click beside everything.
     virtual void act_on_nothing() {}
     /// What the mouse does now, for the status bar.
     virtual std::string hint() const = 0;
+    /// The same while the button is held.
+    virtual std::string pressed_hint() const { return "release to act; beside the mesh or Escape cancels"; }
     /// Does it only select? Then a drag that starts beside the mesh turns the camera, and so does one that starts on it with Alt.
     virtual bool only_selects() const { return false; }
 
 protected:
     const DrawLists& lists() const { return session_.display().lists; }
-    std::optional<FaceHit> hit(const Pointer& p) const { return pick_face(lists(), camera_.ray(p.x, p.y)); }
+    /// What is seen under the pointer; nothing outside the view.
+    std::optional<FaceHit> hit(const Pointer& p) const;
     std::optional<Target> face_under(const Pointer& pointer) const;
     /// The face and everything that shares its group; only itself if it has none.
     std::vector<Face> group_of(Face f) const;
@@ -56,7 +73,8 @@ protected:
 enum class Element { face, edge, vertex };
 
 /// The tool of an operator that acts on what is clicked, or null for one that acts on the whole model or the selection.
-std::unique_ptr<Tool> tool_for(const Operator* op, Session& session, const Camera& camera);
+/// `settings` are read while it is in use.
+std::unique_ptr<Tool> tool_for(const Operator* op, Session& session, const Camera& camera, const ToolSettings& settings);
 /// True if tool_for() would make one.
 bool acts_on_click(const Operator& op);
 

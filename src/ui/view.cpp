@@ -39,7 +39,10 @@ void outline(Overlay& overlay, const Target& target, std::vector<Face>& faces)
 
 } // namespace
 
-View::View(Session& session) : session_(session), select_(std::make_unique<SelectTool>(element_, session_, camera_)) {}
+View::View(Session& session) : session_(session), smooth_(session), select_(std::make_unique<SelectTool>(element_, session_, camera_))
+{
+    smooth_.on_event = [this](const std::string& line) { event(line); };
+}
 
 void View::redraw()
 {
@@ -67,7 +70,7 @@ std::string View::hint() const
 {
     if (box_next_) return "drag a box around what to select; Shift adds, Ctrl removes";
     if (!armed_ && session_.display().counts.vertices == 0) return "open a file (Ctrl+O) or choose a shape under Make";
-    if (clicking_) return "release to act; beside the mesh or Escape cancels";
+    if (clicking_) return tool().pressed_hint();
     return tool().hint();
 }
 
@@ -75,6 +78,13 @@ void View::set_element(Element element)
 {
     element_ = element;
     select_ = std::make_unique<SelectTool>(element_, session_, camera_);
+    hovered_.reset();
+    redraw();
+}
+
+void View::set_brush(double radius)
+{
+    settings_.brush = std::clamp(radius, 0.0, largest_brush);
     hovered_.reset();
     redraw();
 }
@@ -97,22 +107,44 @@ Overlay View::overlay() const
     overlay.failed = session_.failed_faces();
     if (pressed_) outline(overlay, *pressed_, overlay.pressed);
     else if (hovered_) outline(overlay, *hovered_, overlay.hovered);
+    if (gesture_) gesture_->add_to(overlay);
+    else if (!settling_.painted.empty()) overlay.painted = settling_.painted, overlay.paint = settling_.paint;
 
     if (armed_operator_ && armed_operator_->family() == "face")
         for (const Point& p : session_.display().starts) overlay.lines.push_back({p, p, overlay.highlight, 9 * layout().scale, 1});
-    add_box_lines(overlay);
-    const auto axes = Gizmo::lines(camera_, pointer_);
+    if (pointer_ && !box_next_ && !is_moving_camera()) tool().add_pointer(*pointer_, overlay);
+    const auto axes = Gizmo::lines(camera_, pointer_ ? std::optional(Point2(pointer_->x, pointer_->y)) : std::nullopt);
     overlay.screen_lines.insert(overlay.screen_lines.end(), axes.begin(), axes.end());
+    if (smooth_.lists()) show_on_smooth(overlay);
     return overlay;
 }
 
-void View::add_box_lines(Overlay& overlay) const
+/// Where the smooth surface is drawn, what is said of faces goes for the parts that they became; and of the faces themselves, on which
+/// clicks act, the outlines are drawn around it.
+void View::show_on_smooth(Overlay& overlay) const
 {
-    if (!box_) return;
-    const Point a(box_->start().x, box_->start().y, 0), c(box_->end().x, box_->end().y, 0);
-    const Point b(c.x, a.y, 0), d(a.x, c.y, 0);
-    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, d), std::pair(d, a)})
-        overlay.screen_lines.push_back({from, to, overlay.highlight, 1.5 * layout().scale, 1});
+    constexpr std::size_t most_lines = 20000;
+    const DrawLists& lists = session_.display().lists;
+    const auto add = [&](const std::array<std::uint32_t, 2>& ends, Colour colour, double width) {
+        overlay.lines.push_back({lists.position(ends[0]), lists.position(ends[1]), colour, width * layout().scale, 1});
+    };
+    const auto replace = [&](std::vector<Face>& faces, Colour colour, double width) {
+        for (const Face f : faces) {
+            if (overlay.lines.size() > most_lines) break;
+            for (const auto& side : lists.sides(f)) add(side, colour, width);
+        }
+        faces = smooth_.parts(faces);
+    };
+    replace(overlay.hovered, overlay.highlight, 1.5);
+    replace(overlay.pressed, overlay.highlight, 3);
+    replace(overlay.failed, overlay.error, 3);
+    overlay.painted = smooth_.parts(overlay.painted);
+    for (const Edge e : overlay.edges)
+        if (e.index < lists.edge_limit() && lists.edges()[e.index][0] != DrawLists::none) add(lists.edges()[e.index], overlay.highlight, 3);
+    for (const Vertex v : overlay.vertices)
+        if (v.index < lists.vertex_limit()) add({v.index, v.index}, overlay.highlight, 7);
+    overlay.edges.clear();
+    overlay.vertices.clear();
 }
 
 void View::show_hovered(const std::optional<Target>& target)
@@ -134,7 +166,7 @@ void View::show_pressed(const std::optional<Target>& target)
 
 void View::frame_all()
 {
-    camera_.fit(session_.display().lists.bounds());
+    camera_.fit(shown().bounds());
     framed_ = session_.display().lists.id();
     redraw();
 }
@@ -202,18 +234,34 @@ std::unique_ptr<Gesture> View::gesture_for(const Pointer& p)
     if (p.button == 3) return std::make_unique<PanGesture>(camera_, p);
     if (p.button != 1 || p.alt) return std::make_unique<OrbitGesture>(camera_, p);
     if (box_next_) {
-        auto box = std::make_unique<BoxGesture>(element_, session_, camera_, p);
-        box_ = box.get();
-        return box;
+        boxing_ = true;
+        return std::make_unique<BoxGesture>(element_, session_, camera_, p);
     }
     if (!tool().under(p)) return std::make_unique<OrbitGesture>(camera_, p);
     clicking_ = true;
-    return std::make_unique<ClickGesture>(tool(), p, [this](const std::optional<Target>& target) { show_pressed(target); });
+    return tool().press(p, press_shower());
+}
+
+Tool::ShowTarget View::press_shower()
+{
+    return [this](const std::optional<Target>& target) { show_pressed(target); };
+}
+
+void View::carry(std::unique_ptr<Tool> tool, const Pointer& p)
+{
+    cancel();
+    hovered_.reset();
+    carried_ = std::move(tool);
+    pressed_at_ = p;
+    clicking_ = true;
+    pressed_shape_ = session_.display().lists.shape_version();
+    gesture_ = carried_->press(p, press_shower());
+    redraw();
 }
 
 void View::press(const Pointer& p)
 {
-    pointer_ = Point2(p.x, p.y);
+    pointer_ = p;
     turn_.reset();
     if (gesture_) {
         cancel(); // a second button
@@ -226,13 +274,14 @@ void View::press(const Pointer& p)
         look(*view);
         return;
     }
+    pressed_shape_ = session_.display().lists.shape_version();
     gesture_ = gesture_for(p);
     redraw();
 }
 
 void View::drag(const Pointer& p)
 {
-    pointer_ = Point2(p.x, p.y);
+    pointer_ = p;
     if (!gesture_) return;
     if (std::hypot(p.x - pressed_at_.x, p.y - pressed_at_.y) >= layout().click_slop()) moved_ = true;
     // A tool follows from the first pixel; the camera, or a box, when it is clear that this is no click.
@@ -243,23 +292,29 @@ void View::drag(const Pointer& p)
 void View::release(const Pointer& p)
 {
     if (!gesture_) return;
+    const std::unique_ptr<Tool> carried = std::move(carried_); // the gesture works with it
     const std::unique_ptr<Gesture> gesture = std::move(gesture_);
-    const bool click = !moved_, was_clicking = clicking_, was_box = box_ != nullptr;
+    const bool click = !moved_, was_clicking = clicking_;
     clicking_ = false;
-    box_ = nullptr;
-    if (was_box) box_next_ = false;
+    if (boxing_) boxing_ = box_next_ = false;
+    Overlay shown;
+    gesture->add_to(shown);
     if (was_clicking || moved_) gesture->release(p);
     else if (click && pressed_at_.button == 3 && on_menu) on_menu(p);
     else if (click && pressed_at_.button == 1 && !pressed_at_.alt) tool().act_on_nothing();
+    if (session_.is_working()) settling_ = std::move(shown); // or the picture would fall back for a moment
     hover(p);
     redraw();
 }
 
-void View::hover(const Pointer& p)
+void View::hover(const Pointer& pointer)
 {
-    pointer_ = Point2(p.x, p.y);
+    Pointer p = pointer;
+    p.twice = false; // whatever the last press was
+    pointer_ = p;
     const bool on_gizmo = Gizmo::view_at(camera_, p.x, p.y).has_value();
     if (on_gizmo || p.x > camera_.width() - 2 * (layout().gizmo_margin() + layout().gizmo_radius())) redraw();
+    if (armed_ && settings_.brush > 0) redraw(); // its disc
     show_hovered(box_next_ || on_gizmo ? std::nullopt : tool().under(p));
 }
 
@@ -283,11 +338,12 @@ bool View::cancel()
         return true;
     }
     if (!gesture_) return false;
+    const std::unique_ptr<Tool> carried = std::move(carried_);
     const std::unique_ptr<Gesture> gesture = std::move(gesture_);
     if (clicking_) event("click cancelled");
     clicking_ = false;
-    box_next_ = box_next_ && !box_;
-    box_ = nullptr;
+    box_next_ = box_next_ && !boxing_;
+    boxing_ = false;
     gesture->cancel();
     pressed_.reset();
     redraw();
@@ -296,11 +352,14 @@ bool View::cancel()
 
 void View::session_changed()
 {
+    if (!session_.is_working()) settling_ = {};
+    if (clicking_ && pressed_shape_ != session_.display().lists.shape_version()) cancel(); // its faces may be others now
     if (session_.chosen() != armed_operator_) {
         cancel();
         armed_operator_ = session_.chosen();
-        armed_ = tool_for(armed_operator_, session_, camera_);
+        armed_ = tool_for(armed_operator_, session_, camera_, settings_);
     }
+    smooth_.follow();
     // What was hovered may be gone; what is framed stays framed until a file, or the first shape, comes.
     hovered_.reset();
     redraw();

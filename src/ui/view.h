@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/gesture.h"
+#include "ui/smooth_preview.h"
 #include "ui/tool.h"
 
 #include "render/camera.h"
@@ -10,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace druse::ui {
 
@@ -29,17 +31,25 @@ public:
     void resize(int width, int height);
     void set_style(const Style& style);
     const Style& style() const { return style_; }
-    /// What is drawn over the mesh now.
+    /// What is drawn: the mesh, or the smooth surface in its place. Clicks act on the mesh in either case.
+    const DrawLists& shown() const { return smooth_.lists() ? *smooth_.lists() : session_.display().lists; }
+    /// What is drawn over it now.
     Overlay overlay() const;
+    SmoothPreview& smooth() { return smooth_; }
+    const SmoothPreview& smooth() const { return smooth_; }
     std::string hint() const;
     bool is_gesturing() const { return gesture_ != nullptr; }
     /// True while the camera is turned, moved or zoomed by a drag.
-    bool is_moving_camera() const { return gesture_ != nullptr && !clicking_ && !box_; }
+    bool is_moving_camera() const { return gesture_ != nullptr && !clicking_ && !boxing_; }
 
     Element element() const { return element_; }
     void set_element(Element element);
     /// The next drag with the left button selects what is in a box.
     void start_box_select();
+    /// The radius of brushes in pixels; 0 touches only the face under the pointer.
+    double brush() const { return settings_.brush; }
+    void set_brush(double radius);
+    static constexpr double largest_brush = 128;
 
     // --- the camera -----------------------------------------------------------------------------------------------------
 
@@ -62,6 +72,11 @@ public:
     void hover(const Pointer& pointer);
     void leave();
     void wheel(double notches, const Pointer& pointer);
+    /// Something is carried over the view with the button held since a press elsewhere: `tool` acts where drag() and release() end.
+    void carry(std::unique_ptr<Tool> tool, const Pointer& pointer);
+    /// For tools that are carried.
+    template <class T, class... Args>
+    std::unique_ptr<Tool> make_tool(Args&&... args) { return std::make_unique<T>(session_, camera_, std::forward<Args>(args)...); }
     /// Escape: cancels what the pressed button would do. @return false if there was nothing to cancel
     bool cancel();
 
@@ -74,31 +89,35 @@ private:
         double start = -1; // seconds; negative: at the next animate()
     };
 
-    Tool& tool() { return armed_ ? *armed_ : *select_; }
-    const Tool& tool() const { return armed_ ? *armed_ : *select_; }
+    Tool& tool() const { return carried_ ? *carried_ : armed_ ? *armed_ : *select_; }
     std::unique_ptr<Gesture> gesture_for(const Pointer& pointer);
     void show_hovered(const std::optional<Target>& target);
     void show_pressed(const std::optional<Target>& target);
-    void add_box_lines(Overlay& overlay) const;
+    Tool::ShowTarget press_shower();
+    void show_on_smooth(Overlay& overlay) const;
     void redraw();
     void event(const std::string& line);
 
     Session& session_;
     Camera camera_;
     Style style_;
+    SmoothPreview smooth_;
     Element element_ = Element::face;
+    ToolSettings settings_;
 
-    std::unique_ptr<Tool> select_, armed_;
+    std::unique_ptr<Tool> select_, armed_, carried_;
     const Operator* armed_operator_ = nullptr;
     std::unique_ptr<Gesture> gesture_;
     Pointer pressed_at_;
     bool clicking_ = false;           // the gesture is a tool's
     bool box_next_ = false;
-    class BoxGesture* box_ = nullptr; // the gesture, if it is that
+    bool boxing_ = false;             // the gesture is that
     bool moved_ = false;              // the pointer left the place where it was pressed
 
     std::optional<Target> hovered_, pressed_;
-    std::optional<Point2> pointer_;
+    Overlay settling_; // what a gesture showed, while its command runs
+    std::uint64_t pressed_shape_ = 0; // of the session's lists when the gesture began
+    std::optional<Pointer> pointer_;
     std::uint64_t framed_ = 0;        // the lists' id when the camera last framed them
 
     bool animated_ = true;

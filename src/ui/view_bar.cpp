@@ -31,10 +31,14 @@ ViewBar::ViewBar(Session& session, View& view, int x, int y, int w, int h) : Pan
                    },
                    [this, get] { return get(view_.style()); });
     };
-    style_switch("Smooth", "Smooth shading", [](const Style& s) { return s.shading == Style::Shading::smooth; },
+    style_switch("Soft", "Smooth shading: the faces as they are, in the light of a round surface", [](const Style& s) { return s.shading == Style::Shading::smooth; },
                  [](Style& s, bool on) { s.shading = on ? Style::Shading::smooth : Style::Shading::flat; });
     style_switch("Edges", "Show the edges of faces (E)", [](const Style& s) { return s.edges; }, [](Style& s, bool on) { s.edges = on; });
     style_switch("Wire", "Edges only (W)", [](const Style& s) { return s.wireframe; }, [](Style& s, bool on) { s.wireframe = on; });
+    SmoothPreview& smooth = view_.smooth();
+    add_switch("Smooth", "Smooth preview: the surface that subdividing goes to; clicks act on the faces around it (S)",
+               [&smooth] { smooth.set_on(!smooth.is_on()); }, [&smooth] { return smooth.is_on(); })
+        .trouble = [&smooth] { return smooth.reason(); };
     refresh();
 }
 
@@ -43,10 +47,10 @@ void ViewBar::add_element(const char* label, const char* tip, Element element)
     add_switch(label, tip, [this, element] { view_.set_element(element); }, [this, element] { return view_.element() == element; });
 }
 
-void ViewBar::add_switch(const char* label, const char* tip, std::function<void()> press, std::function<bool()> is_on)
+ViewBar::Switch& ViewBar::add_switch(const char* label, const char* tip, std::function<void()> press, std::function<bool()> is_on)
 {
     Fl_Group::current(nullptr);
-    switches_.push_back({std::make_unique<Fl_Button>(0, 0, 1, 1, label), std::move(press), std::move(is_on)});
+    switches_.push_back({std::make_unique<Fl_Button>(0, 0, 1, 1, label), std::move(press), std::move(is_on), {}});
     Fl_Button& button = *switches_.back().button;
     button.tooltip(tip);
     button.labelsize(layout().small_font());
@@ -58,14 +62,15 @@ void ViewBar::add_switch(const char* label, const char* tip, std::function<void(
         bar->refresh();
     }, this);
     add(button);
+    return switches_.back();
 }
 
 void ViewBar::refresh()
 {
     for (const Switch& s : switches_) {
-        const bool on = s.is_on();
-        s.button->color(on ? theme().accent : theme().raised);
-        s.button->labelcolor(on ? theme().on_accent : theme().text);
+        const bool on = s.is_on(), idle = on && s.trouble && !s.trouble().empty();
+        s.button->color(idle ? theme().amber : on ? theme().accent : theme().raised);
+        s.button->labelcolor(idle ? theme().sunken : on ? theme().on_accent : theme().text);
         s.button->redraw();
     }
     title_ = session_.title();

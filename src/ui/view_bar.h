@@ -27,8 +27,9 @@ private:
         std::unique_ptr<Fl_Button> button;
         std::function<void()> press;
         std::function<bool()> is_on;
+        std::function<std::string()> trouble = {}; // why it has no effect though it is on; empty: it has
     };
-    void add_switch(const char* label, const char* tip, std::function<void()> press, std::function<bool()> is_on);
+    Switch& add_switch(const char* label, const char* tip, std::function<void()> press, std::function<bool()> is_on);
     void add_element(const char* label, const char* tip, Element element);
 
     Session& session_;

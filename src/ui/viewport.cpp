@@ -67,7 +67,7 @@ void Viewport::draw()
     if (!make_renderer()) return;
     if (!valid()) view_.resize(pixel_w(), pixel_h());
     Style style = view_.style();
-    const DrawLists& lists = session_.display().lists;
+    const DrawLists& lists = view_.shown();
     // A large mesh turns without its edges where the processor draws it.
     constexpr std::uint32_t many_triangles = 500000;
     if (renderer_->is_software() && view_.is_moving_camera() && lists.triangle_count() > many_triangles) style.edges = false;
@@ -87,7 +87,7 @@ Image Viewport::picture(int factor, bool transparent)
     Style style = view_.style();
     style.transparent_background = transparent;
     style.line_scale *= factor;
-    renderer_->draw(session_.display().lists, camera, style, {}, 4);
+    renderer_->draw(view_.shown(), camera, style, {}, 4);
     Image image = renderer_->read_image();
     redraw();
     return image;

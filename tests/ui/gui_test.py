@@ -30,6 +30,9 @@ SLIDER = (176, 278)
 PANEL_PICTURE = (260, 380)
 PRESETS = (250, 343)
 RESET = (203, 753)
+SWATCH_X = 1028 + 16
+GROUP_ROWS_TOP = 28 + 28 + 242 + 28
+PAINT_BUTTON = (1060, 551)
 
 
 class Failure(Exception):
@@ -170,6 +173,10 @@ def row_of(druse, operator, parameter):
 
 def row_middle(row):
     return PANEL_ROWS_TOP + row * ROW_HEIGHT + 11
+
+
+def group_row(row):
+    return GROUP_ROWS_TOP + row * 22 + 11
 
 
 # --- scenarios -------------------------------------------------------------------------------------------------------------------
@@ -382,6 +389,106 @@ def solids(druse, folder, pictures):
     check(ours == theirs, "the exported mesh is not the one that `druse apply` makes")
 
 
+def groups(druse, folder, pictures):
+    """The palette of groups, the brush and the smooth preview, by mouse; the history gives the same files in a terminal."""
+    window = Window(druse, folder, pictures, [folder / "colored_cube.obj"])
+    window.move(BESIDE_THE_MESH)
+    plain = window.picture("1-plain")
+
+    window.click(SIDE_FACE)
+    window.click(SIDE_FACE)
+    window.wait("applied select.faces")
+    window.wait("applied select.faces")
+    window.picture("2-group-selected")
+    window.keys("Escape")
+    window.wait("applied select.faces")
+
+    window.move(BESIDE_THE_MESH)
+    window.keys("s")
+    window.wait("smooth faces=6144")
+    window.wait("frame")
+    smooth = window.picture("3-smooth")
+    check(different_pixels(plain, smooth) > 20000, "the smooth preview should show")
+    window.move(SIDE_FACE)
+    window.picture("4-smooth-hover")
+    window.move(BESIDE_THE_MESH)
+    window.keys("s")
+    window.wait("smooth off")
+    window.picture("5-plain-again")
+
+    # Rows 0, 1 and 2 are the bottom, the top and the four sides.
+    window.press((SWATCH_X, group_row(1)))
+    window.move((SWATCH_X + 6, group_row(1) - 8))
+    window.move((SWATCH_X + 6, group_row(0)))
+    window.picture("6-swatch-over-another")
+    window.release()
+    window.wait("applied group.merge")
+    window.press((SWATCH_X, group_row(0)))
+    window.move((SWATCH_X - 100, group_row(0) + 50))
+    window.move(SIDE_FACE)
+    window.wait("pressed face")
+    window.picture("7-swatch-over-a-face")
+    window.release()
+    window.wait("applied group.assign")
+
+    window.click(PAINT_BUTTON)
+    window.wait("chosen group.assign")
+    window.click((SWATCH_X + 60, group_row(1)))
+    window.press(TOP_FACE)
+    window.move(((TOP_FACE[0] + SIDE_FACE[0]) // 2, (TOP_FACE[1] + SIDE_FACE[1]) // 2))
+    window.move(SIDE_FACE)
+    window.picture("8-stroke")
+    window.quiet("applied")
+    window.release()
+    window.wait("applied group.assign faces=6")
+    window.press(TOP_FACE)
+    window.keys("Escape")
+    window.wait("click cancelled")
+    window.release()
+    window.quiet("applied")
+    window.keys("Escape")
+    window.wait("chosen nothing")
+
+    # A brush over many faces, on the smooth surface.
+    window.keys("ctrl+p")
+    time.sleep(0.5)
+    window.type("make.torus nu=48 nv=24")
+    window.keys("Return")
+    window.wait("applied make.torus")
+    window.keys("Escape", "Home", "s")
+    window.wait("smooth faces=")
+    window.click(PAINT_BUTTON)
+    window.wait("chosen group.assign")
+    window.keys("period", "period", "period")
+    window.press((500, 430))
+    for x in range(500, 700, 20):
+        window.move((x, 430 + (x - 500) // 2))
+    window.picture("9-wide-stroke")
+    window.release()
+    window.wait("applied group.assign")
+    window.picture("10-painted")
+
+    window.keys("ctrl+e")
+    window.answer_file_dialog("Export", folder / "window.obj", "colored_cube.stl")
+    window.wait("exported")
+    window.keys("ctrl+shift+s")
+    window.answer_file_dialog("Save as", folder / "history.druse", "colored_cube.obj")
+    window.wait("saved " + str(folder / "history.druse"))
+    window.close()
+
+    script = (folder / "history.druse").read_text().splitlines()
+    steps = [line for line in script[1:] if not line.startswith("make.")]
+    check(steps[1] == "select.faces faces=group:3", f"a double click should take the group: {script}")
+    check(steps[3] == "group.merge ids=2,1 into=1", f"a swatch on another: {script}")
+    check(steps[4] == "group.assign faces=2 id=1", f"a swatch on a face: {script}")
+    check(steps[5] == "group.assign faces=1-2 id=3", f"one stroke over two faces: {script}")
+    check(steps[-1].startswith("group.assign faces=") and steps[-1].count(",") > 10, f"many faces in one stroke: {script}")
+    check(len([line for line in steps if line.startswith("group.")]) == 4, f"a command for each gesture: {script}")
+    run(druse, "apply", "-s", folder / "history.druse", "-o", folder / "terminal.obj")
+    ours, theirs = ((folder / f"{name}.obj").read_text().replace("window", "terminal") for name in ("window", "terminal"))
+    check(ours == theirs, "the exported mesh is not the one that `druse apply` makes")
+
+
 def replay(druse, folder, pictures):
     """A recording plays back to the same history."""
     window = Window(druse, folder, pictures, ["--record", folder / "recording.txt", folder / "colored_cube.obj"])
@@ -438,7 +545,7 @@ def main():
     scenario, druse, models, pictures = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4]) / sys.argv[1]
     shutil.rmtree(pictures, ignore_errors=True)
     pictures.mkdir(parents=True)
-    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, replay, sizes)}
+    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, replay, sizes)}
     with tempfile.TemporaryDirectory() as folder:
         try:
             folder = pathlib.Path(folder).resolve()
