@@ -120,5 +120,17 @@ TEST(SmoothSurface, KnowsWhichFaceEachPartIsOf)
     }
 }
 
+TEST(SmoothSurface, OfAModelOfVeryManyFacesHasNoMoreOfThem)
+{
+    const Mesh mesh = l_prism();
+    Progress progress;
+    const SmoothSurface surface = smooth_surface(mesh, progress, 10);
+    EXPECT_EQ(rings(surface.mesh), rings(mesh));
+    EXPECT_EQ(surface.old_face, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
+    const Mesh fine = limit(mesh, {.level = 2});
+    for (const Vertex v : mesh.vertices()) EXPECT_LT(glm::distance(surface.mesh.position(v), fine.position(v)), 1e-12);
+    EXPECT_LT(bounds(surface.mesh).size().x, 0.9 * bounds(mesh).size().x);
+}
+
 } // namespace
 } // namespace druse
