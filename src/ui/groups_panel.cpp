@@ -57,6 +57,7 @@ Fl_Button& GroupsPanel::add_button(const char* label, const char* tip, void (Gro
     button.clear_visible_focus();
     button.callback([](Fl_Widget* widget, void*) {
         const Press& p = static_cast<Button*>(widget)->press;
+        p.panel->list_.take_focus(); // a field that had it would take the keys of the brush for text
         (p.panel->*p.run)();
     });
     add(button);
