@@ -108,7 +108,7 @@ private:
     void take(int row)
     {
         const std::string text = field_.value();
-        if (takes_commands_ && text.find('=') != std::string::npos) chosen = [this_main = &main_, text] { this_main->session().run(text); };
+        if (takes_commands_ && text.find('=') != std::string::npos) chosen = [this_main = &main_, text] { this_main->session().run_chosen(text); };
         else if (row >= 0 && row < int(found_.size())) chosen = found_[std::size_t(row)]->run;
         hide();
     }

@@ -390,8 +390,8 @@ def solids(druse, folder, pictures):
 
 
 def groups(druse, folder, pictures):
-    """The palette of groups, the brush and the smooth preview, by mouse; the history gives the same files in a terminal."""
-    window = Window(druse, folder, pictures, [folder / "colored_cube.obj"])
+    """The palette of groups, the brush and the smooth preview, by mouse; the history, and a recording, give the same again."""
+    window = Window(druse, folder, pictures, ["--record", folder / "recording.txt", folder / "colored_cube.obj"])
     window.move(BESIDE_THE_MESH)
     plain = window.picture("1-plain")
 
@@ -487,6 +487,12 @@ def groups(druse, folder, pictures):
     run(druse, "apply", "-s", folder / "history.druse", "-o", folder / "terminal.obj")
     ours, theirs = ((folder / f"{name}.obj").read_text().replace("window", "terminal") for name in ("window", "terminal"))
     check(ours == theirs, "the exported mesh is not the one that `druse apply` makes")
+
+    again = (folder / "recording.txt").read_text().replace("history.druse", "again.druse") + "wait saved\nquit\n"
+    (folder / "again.txt").write_text(again)
+    subprocess.run([str(druse), "--test", "--geometry", "1280x800+0+0", "--replay", str(folder / "again.txt"), str(folder / "colored_cube.obj")],
+                   check=True, timeout=60, cwd=folder, env=dict(os.environ, HOME=str(folder)))
+    check((folder / "again.druse").read_text().splitlines() == script, "a recording of the gestures should play back to the same history")
 
 
 def replay(druse, folder, pictures):
