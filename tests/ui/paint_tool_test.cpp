@@ -2,8 +2,6 @@
 
 #include "ui/cube_view.h"
 
-#include "support/folder.h"
-
 #include <algorithm>
 #include <cmath>
 

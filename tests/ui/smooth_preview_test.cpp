@@ -7,6 +7,8 @@
 #include "support/folder.h"
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
 
 namespace druse::ui {
 namespace {
