@@ -27,6 +27,15 @@ TEST(Arguments, RefuseWhatTheOperatorWouldRefuse)
     EXPECT_EQ(a.command(), "extrude.cubical");
 }
 
+TEST(Arguments, LeaveOutASwitchThatIsOffAndMayStayUnset)
+{
+    Arguments a(all_operators().get("group.by"));
+    a.set("absolute", "true");
+    EXPECT_EQ(a.command(), "group.by absolute=true");
+    a.set("absolute", "false"); // which is refused beside another rule than sides
+    EXPECT_EQ(a.command(), "group.by");
+}
+
 TEST(Arguments, QuoteWhatACommandMustQuote)
 {
     Arguments a(all_operators().get("document.open"));
