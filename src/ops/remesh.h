@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace druse {
 
@@ -96,7 +95,6 @@ public:
         for (std::uint32_t f = 0; f < old_.faces(); ++f) {
             report(at.corner);
             const std::uint32_t begin = old_.begin(f), end = old_.end(f), group = old_group(f);
-            if constexpr (keeps_inner_edges()) begin_inner(at.corner, end - begin);
             if constexpr (face_part > 0) {
                 const std::uint32_t start = at.corner;
                 for (std::uint32_t c = begin; c < end; ++c) write_part<face_layout>(c, at, c + 1 < end ? at.corner + face_part : start);
@@ -240,42 +238,19 @@ private:
 
         constexpr Link link = links.of[layout][place];
         constexpr Use use = uses.edge[layout][place];
-        constexpr bool inner = is_inner(layout, place);
         const auto other = [&] { return corner_at<link.layout, link.way>(c, static_cast<std::uint32_t>(link.place)); };
         if constexpr (uses.edges_known && use == Use::later) {
             const std::uint32_t e = edge_at<link.layout, link.place, link.way>(c);
             tables_.edge[made] = Edge(e);
             if constexpr (completes_its_edge(layout, place)) tables_.edge_corners[e][1] = Corner(made);
         } else if (use == Use::later || (use == Use::depends && other() < made)) {
-            if constexpr (inner) tables_.edge[made] = inner_edges_[other() - first_inner_];
-            else tables_.edge[made] = tables_.edge[other()];
+            tables_.edge[made] = tables_.edge[other()];
         } else {
             const std::uint32_t e = edges_++;
             tables_.edge_corners[e][0] = Corner(made);
             if constexpr (!completes_its_edge(link.layout, link.place)) tables_.edge_corners[e][1] = Corner(other());
             tables_.edge[made] = Edge(e);
-            if constexpr (inner) inner_edges_[made - first_inner_] = Edge(e);
         }
-    }
-
-    /// Whether a side and the one that it meets are in one face, so that the edge is at hand when it is used again.
-    static constexpr bool is_inner(std::size_t layout, std::size_t place)
-    {
-        const Link& link = links.of[layout][place];
-        return !uses.edges_known && layout < edge_layout && link.layout < edge_layout && stays_in_face(link.way);
-    }
-    static constexpr bool keeps_inner_edges()
-    {
-        for (std::size_t layout = 0; layout < edge_layout; ++layout)
-            for (std::size_t place = 0; place < polygon_of(scheme, layout).size; ++place)
-                if (is_inner(layout, place)) return true;
-        return false;
-    }
-    void begin_inner(std::uint32_t first, std::uint32_t sides)
-    {
-        first_inner_ = first;
-        const std::size_t made = size_of(scheme, face_layout, edge_layout) * sides;
-        if (inner_edges_.size() < made) inner_edges_.resize(made);
     }
 
     /// Whether the second corner of an edge, rather than the first, tells the edge of it: around a vertex, where the first would have to
@@ -333,10 +308,6 @@ private:
     Progress& progress_;
     std::uint32_t corners_;
     std::uint32_t first_vertex_[kinds], vertices_ = 0, edges_ = 0;
-    // Edges inside the face at hand, by new corner from first_inner_ on. They are in the column too, but a column that is being written
-    // is a slow place to read: the stores to others at addresses that differ by whole pages get in the way.
-    std::vector<Edge> inner_edges_;
-    std::uint32_t first_inner_ = 0;
     MeshTables tables_;
 };
 

@@ -78,8 +78,8 @@ void OldMesh::read_in_order()
     for (std::uint32_t f = 0; f < faces(); ++f) begin[f] = view.start[f].index;
     begin[faces()] = corners();
 
-    std::uint32_t* const across = room(across_, lead + corners()) + lead;
-    std::uint32_t* const side = room(side_, lead + corners()) + lead;
+    std::uint32_t* const across = room(across_, corners());
+    std::uint32_t* const side = room(side_, corners());
     for (std::uint32_t c = 0; c < corners(); ++c) {
         const std::uint32_t e = view.edge[c].index;
         if (e == Edge::none) { // a point sphere: refused when valences are looked at
@@ -120,8 +120,8 @@ void OldMesh::renumber()
     }
     begin[faces()] = at;
 
-    std::uint32_t* const across = room(across_, lead + corners()) + lead;
-    std::uint32_t* const side = room(side_, lead + corners()) + lead;
+    std::uint32_t* const across = room(across_, corners());
+    std::uint32_t* const side = room(side_, corners());
     std::fill_n(across, corners(), 0);
     std::fill_n(side, corners(), 0);
     std::array<Corner, 2>* const corner_of_side = room(own_corner_of_side_, edges());

@@ -33,8 +33,8 @@ public:
     std::uint32_t face(std::uint32_t c) const { return face_[c].index; }
     std::uint32_t on(std::uint32_t c) const { return next_[c].index; }
     std::uint32_t back(std::uint32_t c) const { return previous_[c].index; }
-    std::uint32_t across(std::uint32_t c) const { return across_[lead + c]; }
-    std::uint32_t side(std::uint32_t c) const { return side_[lead + c]; } // 2 · edge, and 1 more at the edge's second corner
+    std::uint32_t across(std::uint32_t c) const { return across_[c]; }
+    std::uint32_t side(std::uint32_t c) const { return side_[c]; } // 2 · edge, and 1 more at the edge's second corner
     std::uint32_t edge(std::uint32_t c) const { return side(c) >> 1; }
     std::uint32_t around(std::uint32_t c) const { return across(back(c)); }
     std::uint32_t corner_of_side(std::uint32_t side) const { return corner_of_side_[side >> 1][side & 1].index; }
@@ -59,10 +59,6 @@ public:
     std::uint32_t corner_around(std::uint32_t at) const { return corner_around_[at]; } // at a place in that order
 
 private:
-    // Large columns begin at whole pages. What is read for a corner lies a little beyond what is written for it, where both are numbered
-    // alike: a load waits for earlier stores that differ from it by whole pages, whatever the column.
-    static constexpr std::uint32_t lead = 64;
-
     void read_in_order();
     void renumber();
 
