@@ -197,8 +197,7 @@ TEST(Script, StopsAtAStrictCheckThatFails)
     EXPECT_EQ(outcome.failure, name + ":4: check.planarity: found something wrong, and strict=true");
     EXPECT_EQ(State(document), before);
 
-    const std::string outer = folder.write("outer.druse", "document.open file=s.druse
-").string();
+    const std::string outer = folder.write("outer.druse", "document.open file=s.druse\n").string();
     EXPECT_EQ(document.open(outer, progress).failure, outer + ":1: document.open: " + name + ":4: check.planarity: found something wrong, and strict=true");
 }
 
