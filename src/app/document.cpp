@@ -30,31 +30,10 @@ ScriptCommand script_command(const Invocation& call, const fs::path& folder)
     return {call.text(), fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal()};
 }
 
-/// Takes dead elements out of a selected list.
-template <class H>
-void drop_dead(const Mesh& mesh, std::vector<H>& list)
-{
-    std::erase_if(list, [&mesh](H h) { return !mesh.is_alive(h); });
-}
-
-/// Gives selected elements their new ids; `to` is empty where none changed.
-template <class H>
-void follow(std::vector<H>& list, const std::vector<std::uint32_t>& to)
-{
-    if (to.empty()) return;
-    for (H& h : list) h = H(to[h.index]);
-}
-
-template <class H>
-bool ends_below(const std::vector<H>& list, std::uint32_t limit)
-{
-    return list.empty() || list.back().index < limit;
-}
-
 template <class H>
 bool ascends(const std::vector<H>& list, std::uint32_t limit)
 {
-    return std::ranges::adjacent_find(list, std::greater_equal<>()) == list.end() && ends_below(list, limit);
+    return std::ranges::adjacent_find(list, std::greater_equal<>()) == list.end() && (list.empty() || list.back().index < limit);
 }
 
 /// A file that a command calls `name`, as a script in `folder` calls it: relative, unless it was not and lies outside.
@@ -133,24 +112,35 @@ Document::Outcome Document::run(const Invocation& call, Progress& progress, cons
 
 void Document::edit(const Invocation& call, Context& context)
 {
-    History::Step before{script_command(call, context.folder), {}, scene_.groups, scene_.selection, scene_.source};
+    History::Step before{script_command(call, context.folder), {}, {}, scene_.groups, scene_.selection, scene_.source};
     const Shared<Selection> nothing;
     scene_.mesh.begin_change();
-    bool recording = true;
+    scene_.rind.begin_change();
+    bool mesh_recording = true, rind_recording = true;
     try {
         call.op->run(scene_, call.parameters.get(), context);
         if (const Vertex v = changed_out_of_reach(scene_.mesh); v.valid())
             throw CommandError(fmt::format("vertex {} would lie beyond {}", v.index, largest_coordinate));
-        settle_selection();
+        settle(scene_);
         check(*call.op);
         before.mesh = scene_.mesh.end_change();
-        recording = false;
-        // Of a mesh put in place of another nothing survives that could stay selected.
-        if (before.mesh.corner_vertex.whole && scene_.selection.same_as(before.selection)) scene_.selection = nothing;
+        mesh_recording = false;
+        // Of a mesh put in place of another nothing survives that could stay selected, or be opened.
+        if (before.mesh.corner_vertex.whole) {
+            if (scene_.selection.same_as(before.selection)) scene_.selection = nothing;
+            if (!scene_.rind.empty() && !scene_.rind.is_replaced()) {
+                scene_.rind = {};
+                context.note("the rind can no longer be punched");
+            }
+        }
+        before.rind = scene_.rind.end_change();
+        rind_recording = false;
         history_.add(std::move(before), scene_);
     } catch (...) {
-        if (recording) scene_.mesh.roll_back();
+        if (mesh_recording) scene_.mesh.roll_back();
         else scene_.mesh.exchange(before.mesh);
+        if (rind_recording) scene_.rind.roll_back();
+        else scene_.rind.exchange(before.rind);
         scene_.groups = before.groups;
         scene_.selection = before.selection;
         scene_.source = before.source;
@@ -166,11 +156,13 @@ void Document::query(const Invocation& call, Context& context)
     const Shared<Source> source = scene_.source;
     const auto restore = [&] {
         scene_.mesh.roll_back();
+        scene_.rind.roll_back();
         scene_.groups = groups;
         scene_.selection = selection;
         scene_.source = source;
     };
     scene_.mesh.begin_change();
+    scene_.rind.begin_change();
     try {
         call.op->run(scene_, call.parameters.get(), context);
     } catch (...) {
@@ -186,25 +178,6 @@ void Document::travel(const Invocation& call)
     if (to == history_.done()) return;
     history_.go_to(scene_, to);
     ++version_;
-}
-
-/// Closes the holes of the mesh; the selection keeps what is left of it, by its new ids.
-void Document::settle_selection()
-{
-    Mesh& mesh = scene_.mesh;
-    const Selection& selection = *scene_.selection;
-    if (!mesh.has_holes() && ends_below(selection.faces, mesh.face_limit()) && ends_below(selection.edges, mesh.edge_limit()) &&
-        ends_below(selection.vertices, mesh.vertex_limit()))
-        return;
-    Selection kept = selection;
-    drop_dead(mesh, kept.faces);
-    drop_dead(mesh, kept.edges);
-    drop_dead(mesh, kept.vertices);
-    const Renumbering to = mesh.compact();
-    follow(kept.faces, to.faces);
-    follow(kept.edges, to.edges);
-    follow(kept.vertices, to.vertices);
-    if (!(kept == selection)) scene_.selection = std::move(kept);
 }
 
 void Document::check(const Operator& op) const

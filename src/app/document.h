@@ -79,7 +79,6 @@ private:
     void edit(const Invocation& call, Context& context);
     void query(const Invocation& call, Context& context);
     void travel(const Invocation& call);
-    void settle_selection();
     void check(const Operator& op) const;
     void begin(Model&& model, ScriptCommand command);
 

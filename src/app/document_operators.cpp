@@ -48,6 +48,7 @@ void open_file(Scene& scene, const OpenFile& p, Context& context)
     context.output = std::move(outcome.output);
     Scene made = std::move(inner).release();
     scene.mesh.replace_with(std::move(made.mesh));
+    scene.rind = std::move(made.rind);
     scene.groups = std::move(made.groups);
     scene.selection = std::move(made.selection);
     scene.source = std::move(made.source);
@@ -58,6 +59,7 @@ void open_file(Scene& scene, const OpenFile& p, Context& context)
 void fill(Scene& scene, Model&& model)
 {
     scene.mesh.replace_with(std::move(model.mesh));
+    scene.rind = std::move(model.rind);
     scene.groups = std::move(model.groups);
     scene.selection = Selection();
     scene.source = model.graph ? Source(std::move(*model.graph)) : Source();

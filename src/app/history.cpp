@@ -23,7 +23,7 @@ std::size_t bytes(const Source& source)
 std::size_t own_bytes(const History::Step& step, const Scene& scene)
 {
     const auto unless_shared = [](const auto& mine, const auto& its) { return mine.same_as(its) ? 0 : bytes(*mine); };
-    return sizeof(step) + step.command.text.size() + step.mesh.bytes() + unless_shared(step.groups, scene.groups) +
+    return sizeof(step) + step.command.text.size() + step.mesh.bytes() + step.rind.bytes() + unless_shared(step.groups, scene.groups) +
            unless_shared(step.selection, scene.selection) + unless_shared(step.source, scene.source);
 }
 
@@ -57,6 +57,7 @@ void History::drop_state(std::size_t k)
     Step& step = steps_[k];
     bytes_ -= step.bytes;
     step.mesh = {};
+    step.rind = {};
     step.groups = steps_[k + 1].groups;
     step.selection = steps_[k + 1].selection;
     step.source = steps_[k + 1].source;
@@ -66,6 +67,7 @@ void History::drop_state(std::size_t k)
 void History::exchange(Scene& scene, Step& step)
 {
     scene.mesh.exchange(step.mesh);
+    scene.rind.exchange(step.rind);
     std::swap(scene.groups, step.groups);
     std::swap(scene.selection, step.selection);
     std::swap(scene.source, step.source);

@@ -30,6 +30,7 @@ public:
     struct Step {
         ScriptCommand command;
         MeshChange mesh;
+        Rind::Change rind;
         Shared<GroupTable> groups;
         Shared<Selection> selection;
         Shared<Source> source;

@@ -9,8 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace druse {
 
@@ -38,7 +40,9 @@ private:
     std::uint32_t index(const char*& p, const char* what);
     std::string_view rest_of_line(const char* p) const;
     void make_groups(Model& model);
-    [[noreturn]] void fail(const std::string& what) const { throw InputError(source_.name(), line_, what); }
+    Rind make_rind(const Mesh& mesh, std::uint32_t faces_in_file);
+    [[noreturn]] void fail(const std::string& what) const { fail(line_, what); }
+    [[noreturn]] void fail(long line, const std::string& what) const { throw InputError(source_.name(), line, what); }
 
     ByteSource& source_;
     long line_ = 0;
@@ -50,7 +54,14 @@ private:
     std::int32_t paint_ = 0;
     std::vector<std::int32_t> face_paints_, groups_;
     bool extended_ = false, has_groups_ = false;
-    std::uint32_t rinds_ = 0, unknown_ = 0;
+    std::uint32_t unknown_ = 0;
+
+    struct RindLine {
+        Rind::Pair pair; // faces as the file counts them
+        long line;
+    };
+    std::vector<RindLine> rind_;
+    std::vector<std::uint32_t> open_; // faces that stand for an open boundary
 };
 
 bool DlflReader::take(const char*& p, std::string_view keyword) const
@@ -135,9 +146,11 @@ void DlflReader::extension(const char* p)
         if (groups_.size() > assembler_.face_count())
             fail(fmt::format("more groups than faces; the file has {}", assembler_.face_count()));
     } else if (take(p, "open")) {
-        while (*p != '\n') assembler_.mark_open(index(p, "face"));
+        while (*p != '\n') assembler_.mark_open(open_.emplace_back(index(p, "face")));
     } else if (take(p, "rind")) {
-        ++rinds_;
+        const std::uint32_t first = index(p, "face"), second = index(p, "face");
+        const std::uint32_t first_corner = index(p, "corner"), second_corner = index(p, "corner");
+        rind_.push_back({{Face(first), Face(second), first_corner, second_corner}, line_});
     } else if (*p != '#') {
         ++unknown_;
     }
@@ -205,9 +218,9 @@ Model DlflReader::read()
         throw InputError(source_.name(), fmt::format("{} groups for {} faces", groups_.size(), assembler_.face_count()));
 
     Model model;
-    if (rinds_ > 0) model.notes.push_back(fmt::format("{} rind pair{} passed over", rinds_, rinds_ == 1 ? " was" : "s were"));
     if (unknown_ > 0) model.notes.push_back(fmt::format("{} line{} passed over", unknown_, unknown_ == 1 ? " was" : "s were"));
     make_groups(model);
+    const std::uint32_t faces = assembler_.face_count(); // in the file
     Repairs repairs;
     try {
         model.mesh = assembler_.assemble(groups_, repairs);
@@ -215,7 +228,34 @@ Model DlflReader::read()
         throw InputError(source_.name(), error.what());
     }
     for (std::string& note : repairs.notes()) model.notes.push_back(std::move(note));
+    model.rind = make_rind(model.mesh, faces);
     return model;
+}
+
+/// The pairs by the ids that faces have in the mesh: those that stand for an open boundary have none.
+Rind DlflReader::make_rind(const Mesh& mesh, std::uint32_t faces_in_file)
+{
+    std::ranges::sort(open_);
+    open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
+    std::vector<bool> paired(mesh.face_limit(), false);
+    std::vector<Rind::Pair> pairs;
+    for (auto [pair, line] : rind_) {
+        for (auto [face, corner] : {std::pair(&pair.first, pair.first_corner), std::pair(&pair.second, pair.second_corner)}) {
+            const auto before = std::ranges::lower_bound(open_, face->index);
+            if (face->index >= faces_in_file || (before != open_.end() && *before == face->index))
+                fail(line, fmt::format("a rind of face {}, which is not there", face->index));
+            const std::uint32_t in_file = face->index;
+            *face = Face(in_file - static_cast<std::uint32_t>(before - open_.begin()));
+            if (const int n = mesh.valence(*face); corner >= static_cast<std::uint32_t>(n))
+                fail(line, fmt::format("face {} has corners 0 to {}, not {}", in_file, n - 1, corner));
+            if (paired[face->index]) fail(line, fmt::format("face {} is in the rind twice", in_file));
+            paired[face->index] = true;
+        }
+        if (mesh.valence(pair.first) != mesh.valence(pair.second))
+            fail(line, fmt::format("faces of a rind with {} and {} sides", mesh.valence(pair.first), mesh.valence(pair.second)));
+        pairs.push_back(pair);
+    }
+    return Rind(mesh, pairs);
 }
 
 void DlflReader::make_groups(Model& model)

@@ -16,7 +16,7 @@ namespace {
 
 class DlflWriter {
 public:
-    DlflWriter(const ModelView& model, OutputFiles& out) : mesh_(model.mesh), groups_(model.groups), out_(out), sink_(out.main())
+    DlflWriter(const ModelView& model, OutputFiles& out) : mesh_(model.mesh), groups_(model.groups), rind_(model.rind), out_(out), sink_(out.main())
     {
     }
     void write();
@@ -25,9 +25,11 @@ private:
     void put_corners(Face f);
     void put_face(Face f);
     void put_extension();
+    void put_rind();
 
     const Mesh& mesh_;
     const GroupTable& groups_;
+    const Rind* rind_;
     OutputFiles& out_;
     ByteSink& sink_;
     std::vector<std::uint32_t> number_; // of each corner, in the file
@@ -73,6 +75,7 @@ void DlflWriter::put_extension()
     for (const Face f : mesh_.faces()) put_group(mesh_.group(f));
     for (std::uint32_t i = 0; i < mesh_.boundary_count(); ++i) put_group(0);
     if (in_line > 0) sink_.put('\n');
+    if (rind_) put_rind();
     if (mesh_.boundary_count() == 0) return;
     sink_.put("open");
     for (std::uint32_t i = 0; i < mesh_.boundary_count(); ++i) {
@@ -80,6 +83,18 @@ void DlflWriter::put_extension()
         sink_.put(std::uint64_t(mesh_.face_count() + i));
     }
     sink_.put('\n');
+}
+
+void DlflWriter::put_rind()
+{
+    for (const Rind::Pair& p : rind_->pairs(mesh_)) {
+        sink_.put("rind");
+        for (const std::uint32_t number : {p.first.index, p.second.index, p.first_corner, p.second_corner}) {
+            sink_.put(' ');
+            sink_.put(std::uint64_t(number));
+        }
+        sink_.put('\n');
+    }
 }
 
 void DlflWriter::write()

@@ -2,6 +2,7 @@
 
 #include "dlfl/group_table.h"
 #include "dlfl/mesh.h"
+#include "dlfl/rind.h"
 #include "geom/graph.h"
 
 #include <optional>
@@ -10,9 +11,10 @@
 
 namespace druse {
 
-/// What a file holds: a mesh with its groups, a graph, or both.
+/// What a file holds: a mesh with its groups and the table of its rind, a graph, or both.
 struct Model {
     Mesh mesh;
+    Rind rind{};
     GroupTable groups;
     std::optional<Graph> graph;
     std::vector<std::string> notes; // what the reader mended or left out, one line each
@@ -23,6 +25,7 @@ struct ModelView {
     const Mesh& mesh;
     const GroupTable& groups;
     const Graph* graph = nullptr;
+    const Rind* rind = nullptr;
 };
 
 } // namespace druse

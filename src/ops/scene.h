@@ -2,6 +2,7 @@
 
 #include "dlfl/group_table.h"
 #include "dlfl/mesh.h"
+#include "dlfl/rind.h"
 #include "geom/graph.h"
 
 #include <memory>
@@ -45,12 +46,16 @@ struct Selection {
 /// What operators make a mesh from, edited by its own family. A document holds at most one.
 using Source = std::variant<std::monostate, Graph>;
 
-/// What an operator may change: one mesh, its groups, what is selected, and at most one source.
+/// What an operator may change: one mesh, which of its faces are a crust's, its groups, what is selected, and at most one source.
 struct Scene {
     Mesh mesh;
+    Rind rind;
     Shared<GroupTable> groups;
     Shared<Selection> selection;
     Shared<Source> source;
 };
+
+/// Closes the holes of the mesh; the selection and the rind keep what is left of them, by its new ids. Cost: O(selection) where there are none.
+void settle(Scene& scene);
 
 } // namespace druse

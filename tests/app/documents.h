@@ -16,12 +16,13 @@ namespace druse::test {
 /// Everything of a document that a command may change, in a copy.
 struct State {
     Mesh mesh;
+    Rind rind;
     GroupTable groups;
     Selection selection;
     Source source;
 
     State() = default;
-    explicit State(const Scene& scene) : mesh(scene.mesh), groups(*scene.groups), selection(*scene.selection), source(*scene.source) {}
+    explicit State(const Scene& scene) : mesh(scene.mesh), rind(scene.rind), groups(*scene.groups), selection(*scene.selection), source(*scene.source) {}
     explicit State(const Document& document) : State(document.scene()) {}
 
     friend bool operator==(const State&, const State&) = default;

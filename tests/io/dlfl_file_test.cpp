@@ -1,5 +1,10 @@
 #include "io/io_support.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
 namespace druse::test {
 namespace {
 
@@ -141,10 +146,62 @@ TEST(ReadDlfl, MakesGroupsOfMaterialsUnlessIdsFollow)
     EXPECT_EQ(ids.groups.colour(9), (Colour{255, 0, 0}));
 }
 
-TEST(ReadDlfl, PassesOverRindsAndWhatItDoesNotKnow)
+/// Two two-sided triangles, the second of them inside the first.
+std::string nested_triangles()
 {
-    EXPECT_EQ(read_text(two_sided_triangle + "druse 1\n# a comment\nrind 0 1 0 0\ntwist 5\n", "dlfl").notes,
-              (std::vector<std::string>{"1 rind pair was passed over", "1 line was passed over"}));
+    Mesh mesh = read_text(two_sided_triangle, "dlfl").mesh;
+    mesh.append(mesh);
+    mesh.reverse_components(std::array{Face(2)});
+    return written(mesh, "dlfl").text;
+}
+
+TEST(ReadDlfl, KnowsWhichFacesOfARindBelongTogether)
+{
+    const std::string text = nested_triangles();
+    const Model model = read_text(text + "rind 3 1 1 2\nrind 0 2 0 0\n", "dlfl");
+    EXPECT_EQ(model.rind.pairs(model.mesh), (std::vector<Rind::Pair>{{Face(0), Face(2), 0, 0}, {Face(1), Face(3), 2, 1}}));
+    const std::string again = written(view(model), "dlfl").text;
+    EXPECT_EQ(again.substr(again.find("druse")), "druse 1\ng 0 0 0 0\nrind 0 2 0 0\nrind 1 3 2 1\n");
+}
+
+TEST(ReadDlfl, CountsFacesOfARindAsTheFileDoes)
+{
+    // The lid of a tube is open, and stands before the sides of the file that are in the rind.
+    Mesh mesh = open_tube(3);
+    mesh.append(mesh);
+    std::string text = written(mesh, "dlfl").text;
+    ASSERT_NE(text.find("\nopen 6 7 8 9\n"), std::string::npos);
+    const std::size_t faces = text.rfind("\nf "), first = text.find("\nf ");
+    const std::string last = text.substr(faces, text.find('\n', faces + 1) - faces);
+    text.erase(faces, last.size());
+    text.insert(first, last); // the last face of the file comes first
+    text.replace(text.find("open 6 7 8 9"), 12, "open 0 7 8 9");
+    const Model model = read_text(text + "rind 2 5 1 3\n", "dlfl");
+    EXPECT_EQ(model.rind.pairs(model.mesh), (std::vector<Rind::Pair>{{Face(1), Face(4), 1, 3}}));
+    EXPECT_EQ(error_of([&] { read_text(text + "rind 2 8 1 3\n", "dlfl"); }).substr(0, 10), "test.dlfl:");
+}
+
+TEST(ReadDlfl, SaysWhatIsWrongWithARind)
+{
+    const std::string text = nested_triangles();
+    const long line = std::ranges::count(text, '\n') + 1;
+    const auto complaint = [&](const std::string& rind) {
+        const std::string error = error_of([&] { read_text(text + rind + "\n", "dlfl"); });
+        return error.substr(std::min(error.size(), error.find("test.dlfl")));
+    };
+    EXPECT_EQ(complaint("rind 0 4 0 0"), fmt::format("test.dlfl:{}: a rind of face 4, which is not there", line));
+    EXPECT_EQ(complaint("rind 0 1 0 3"), fmt::format("test.dlfl:{}: face 1 has corners 0 to 2, not 3", line));
+    EXPECT_EQ(complaint("rind 2 2 0 0"), fmt::format("test.dlfl:{}: face 2 is in the rind twice", line));
+    EXPECT_EQ(complaint("rind 0 1 0 0\nrind 2 1 0 0"), fmt::format("test.dlfl:{}: face 1 is in the rind twice", line + 1));
+    EXPECT_EQ(complaint("rind 0 1 0"), fmt::format("test.dlfl:{}: expected the number of a corner, found the end of the line", line));
+    std::string unlike = written(prism(5), "dlfl").text;
+    const long its_line = std::ranges::count(unlike, '\n') + 1;
+    EXPECT_EQ(error_of([&] { read_text(unlike + "rind 0 1 0 0\n", "dlfl"); }).find(fmt::format("test.dlfl:{}: faces of a rind with 5 and 4 sides", its_line)) != std::string::npos, true);
+}
+
+TEST(ReadDlfl, PassesOverWhatItDoesNotKnow)
+{
+    EXPECT_EQ(read_text(two_sided_triangle + "druse 1\n# a comment\ntwist 5\n", "dlfl").notes, std::vector<std::string>{"1 line was passed over"});
     EXPECT_TRUE(read_text(two_sided_triangle + "anything else\ng 1\n", "dlfl").notes.empty());
 }
 

@@ -84,7 +84,7 @@ template <class F> std::string error_of(F&& f)
 
 inline ModelView view(const Model& model)
 {
-    return {model.mesh, model.groups, model.graph ? &*model.graph : nullptr};
+    return {model.mesh, model.groups, model.graph ? &*model.graph : nullptr, &model.rind};
 }
 
 struct Written {

@@ -48,7 +48,7 @@ inline Said run(Scene& scene, std::string_view name, const std::vector<std::pair
     Progress progress;
     Context context{.progress = progress};
     op.run(scene, parameters.get(), context);
-    scene.mesh.compact();
+    settle(scene);
     return {context.output, context.failed};
 }
 
