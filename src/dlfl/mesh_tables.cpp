@@ -35,4 +35,41 @@ MeshTables::View MeshTables::view(const Mesh& mesh)
             mesh.corner_edge_.view(),   mesh.edge_corners_.view(), mesh.face_corner_.view()};
 }
 
+void MeshTables::append_reversed(Mesh& mesh)
+{
+    ASSERT(!mesh.has_holes() && mesh.boundary_count() == 0, "a closed mesh without holes");
+    const std::uint32_t vertices = mesh.vertex_limit(), edges = mesh.edge_limit(), faces = mesh.face_limit(), corners = mesh.corner_limit();
+    if (2 * std::uint64_t(std::max(vertices, corners)) > Face::boundary_bit - 1)
+        throw CommandError("the result would have more than 2^31 elements of a kind");
+
+    Vertex* const vertex = mesh.corner_vertex_.extend(corners);
+    Corner* const next = mesh.corner_next_.extend(corners);
+    Corner* const previous = mesh.corner_previous_.extend(corners);
+    Face* const face = mesh.corner_face_.extend(corners);
+    Edge* const edge = mesh.corner_edge_.extend(corners);
+    std::array<Corner, 2>* const pair = mesh.edge_corners_.extend(edges);
+    Corner* const start = mesh.face_corner_.extend(faces);
+    std::int32_t* const group = mesh.face_group_.extend(faces);
+    Point* const position = mesh.vertex_position_.extend(vertices);
+    Corner* const vertex_corner = mesh.vertex_corner_.extend(vertices);
+
+    for (std::uint32_t c = 0; c < corners; ++c) vertex[c] = Vertex(mesh.corner_vertex_[c].index + vertices);
+    for (std::uint32_t c = 0; c < corners; ++c) next[c] = Corner(mesh.corner_previous_[c].index + corners);
+    for (std::uint32_t c = 0; c < corners; ++c) previous[c] = Corner(mesh.corner_next_[c].index + corners);
+    for (std::uint32_t c = 0; c < corners; ++c) face[c] = Face(mesh.corner_face_[c].index + faces);
+    // The side that started at a corner now ends there, so it belongs to the corner after it.
+    for (std::uint32_t c = 0; c < corners; ++c) {
+        const Edge e = mesh.corner_edge_[mesh.corner_previous_[c].index];
+        edge[c] = e.valid() ? Edge(e.index + edges) : e;
+    }
+    for (std::uint32_t e = 0; e < edges; ++e) {
+        const auto& [a, b] = mesh.edge_corners_[e];
+        pair[e] = {Corner(mesh.corner_next_[a.index].index + corners), Corner(mesh.corner_next_[b.index].index + corners)};
+    }
+    for (std::uint32_t f = 0; f < faces; ++f) start[f] = Corner(mesh.face_corner_[f].index + corners);
+    std::copy_n(group - faces, faces, group);
+    std::copy_n(position - vertices, vertices, position);
+    for (std::uint32_t v = 0; v < vertices; ++v) vertex_corner[v] = Corner(mesh.vertex_corner_[v].index + corners);
+}
+
 } // namespace druse

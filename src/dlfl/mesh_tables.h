@@ -4,8 +4,11 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace druse {
+
+struct Rung;
 
 /// The columns of a whole new mesh, for code that knows every reference in closed form and writes it where it belongs.
 ///
@@ -76,6 +79,19 @@ public:
         std::span<const Corner> start;
     };
     static View view(const Mesh& mesh);
+
+    /// Adds a copy of everything, turned inside out: vertex v becomes V + v, edge e E + e, face f F + f, each face from the same start vertex.
+    /// Preconditions: no holes, no open boundary. Cost: what is added is written once, in order.
+    /// @throws CommandError if there would be 2^31 of a kind or more
+    static void append_reversed(Mesh& mesh);
+
+    /// CreatePipe: takes two faces away and joins their boundaries, given by all corners in face order, by a band of walls: V + 0, E + k, F + k − 2,
+    /// χ − 2 for k rungs. Each rung goes on by a corner in the first face, or back by one in the second, or both, and in all once round each; as far
+    /// as two share a corner the wall between them is a triangle. Walls are made from the first rung on, edges as they first use them; they take freed
+    /// ids first, beginning with those of the two faces, and the group of the first one. Each starts where its first rung meets the first face.
+    /// Preconditions: two different faces, no open boundary. Cost: O(k). Adds the walls to a list.
+    /// Source: Akleman, Chen & Srinivasan 2003; Özener, Akleman & Srinivasan 2005, fig. 4.
+    static void join_faces(Mesh& mesh, std::span<const Corner> first, std::span<const Corner> second, std::span<const Rung> rungs, std::vector<Face>& walls);
 
 private:
     Mesh mesh_;

@@ -1,5 +1,6 @@
 // topology.*: the minimal operators by hand.
 #include "dlfl/errors.h"
+#include "ops/handle.h"
 #include "ops/registry.h"
 
 #include <fmt/format.h>
@@ -105,6 +106,8 @@ void register_topology(Registry& registry)
                      .example("topology.delete_vertex vertices=valence:0")
                      .cites(source)
                      .run(delete_vertices));
+    registry.add(pipe_operator());
+    registry.add(handle_operator());
 }
 
 } // namespace druse
