@@ -13,6 +13,7 @@ const Registry& all_operators()
         register_extrude(r);
         register_remesh(r);
         register_topology(r);
+        register_rind(r);
         register_mesh(r);
         register_check(r);
         register_document(r);

@@ -29,18 +29,7 @@ std::optional<RayCast::Met> RayCast::meet(std::uint32_t triangle, const Point& o
 
 std::optional<RayCast::Hit> RayCast::first(const Point& origin, const Vector& direction, double reach, std::uint32_t from) const
 {
-    std::optional<Hit> nearest;
-    // The tree asks a little farther than the nearest so far, so that of equals always the same one is found.
-    tree_.for_each_on_ray(origin, direction, reach, [&](std::uint32_t t, double& limit) {
-        if (t == from) return;
-        const auto met = meet(t, origin, direction);
-        if (!met || met->distance < -rounding_ || met->distance > reach) return;
-        const double distance = std::max(0.0, met->distance);
-        if (nearest && (distance > nearest->distance || (distance == nearest->distance && t > nearest->triangle))) return;
-        nearest = Hit{t, distance, met->facing};
-        limit = std::min(limit, distance + rounding_);
-    });
-    return nearest;
+    return first_of(origin, direction, reach, [from](std::uint32_t t) { return t != from; });
 }
 
 } // namespace druse

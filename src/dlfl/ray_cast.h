@@ -3,6 +3,7 @@
 #include "dlfl/triangle_list.h"
 #include "geom/box_tree.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -28,6 +29,9 @@ public:
     /// The first triangle on the ray, at a distance from 0 to `reach`; `from`, the triangle that it starts on, is left out. A triangle
     /// that lies on the start, but for rounding, is met at distance 0. `direction` has length 1.
     std::optional<Hit> first(const Point& origin, const Vector& direction, double reach, std::uint32_t from = none) const;
+    /// The same, of those triangles that `counts`.
+    template <class Counts>
+    std::optional<Hit> first_of(const Point& origin, const Vector& direction, double reach, Counts&& counts) const;
 
     /// How often a closed surface of those triangles that `counts` goes round a point, counter-clockwise seen from outside: 1 inside a
     /// solid, 0 outside. Precondition: the point is not on one of them.
@@ -45,6 +49,22 @@ private:
     BoxTree tree_;
     double rounding_ = 0; // a length that is nothing in a model of this size
 };
+
+template <class Counts>
+std::optional<RayCast::Hit> RayCast::first_of(const Point& origin, const Vector& direction, double reach, Counts&& counts) const
+{
+    std::optional<Hit> nearest;
+    // The tree asks a little farther than the nearest so far, so that of equals always the same one is found.
+    tree_.for_each_on_ray(origin, direction, reach, [&](std::uint32_t t, double& limit) {
+        const auto met = meet(t, origin, direction);
+        if (!met || met->distance < -rounding_ || met->distance > reach || !counts(t)) return;
+        const double distance = std::max(0.0, met->distance);
+        if (nearest && (distance > nearest->distance || (distance == nearest->distance && t > nearest->triangle))) return;
+        nearest = Hit{t, distance, met->facing};
+        limit = std::min(limit, distance + rounding_);
+    });
+    return nearest;
+}
 
 template <class Counts>
 int RayCast::winding(const Point& p, Counts&& counts) const

@@ -1,5 +1,7 @@
 #include "io/edge_splits.h"
 
+#include "dlfl/measures.h"
+
 #include <fmt/format.h>
 
 namespace druse {
@@ -34,6 +36,7 @@ EdgeSplits::EdgeSplits(const Mesh& mesh)
             }
         }
     }
+    if (parallel_ > 0) thin_walls_ = facts(mesh).zero_thickness_walls;
 }
 
 void EdgeSplits::note(OutputFiles& out) const
@@ -44,6 +47,8 @@ void EdgeSplits::note(OutputFiles& out) const
     note(parallel_, "parallel edge");
     note(loops_, "loop");
     note(lone_, "lone edge");
+    if (thin_walls_ > 0)
+        out.note(fmt::format("{} without thickness, which cannot be printed: rind.peel leaves none", thin_walls_ == 1 ? "1 wall is" : fmt::format("{} walls are", thin_walls_)));
 }
 
 } // namespace druse

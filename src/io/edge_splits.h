@@ -17,7 +17,7 @@ public:
     explicit EdgeSplits(const Mesh& mesh);
 
     bool empty() const { return added_.empty(); }
-    /// Says how many edges of each kind are split.
+    /// Says how many edges of each kind are split, and whether there are walls without thickness between them, as rind.punch leaves.
     void note(OutputFiles& out) const;
     const std::vector<Point>& added() const { return added_; }
 
@@ -39,7 +39,7 @@ public:
 private:
     std::vector<std::uint32_t> first_; // per edge: 1 + its first place in `added_`; 0 if it is not split; empty if none is
     std::vector<Point> added_;
-    std::uint32_t parallel_ = 0, loops_ = 0, lone_ = 0;
+    std::uint32_t parallel_ = 0, loops_ = 0, lone_ = 0, thin_walls_ = 0;
 };
 
 } // namespace druse

@@ -7,6 +7,7 @@
 #include "geom/angle.h"
 #include "ops/registry.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -165,6 +166,9 @@ void check_print(Scene& scene, const CheckPrint& p, Context& context)
     json["overhang"]["share"] = f.area > 0 ? over.area / f.area : 0.0;
     context.output = json.dump();
     context.failed = p.strict && !problems.empty();
+    if (f.zero_thickness_walls > 0)
+        context.note(fmt::format("{} without thickness, which cannot be printed: rind.peel leaves none",
+                                 f.zero_thickness_walls == 1 ? "1 wall is" : fmt::format("{} walls are", f.zero_thickness_walls)));
 }
 
 } // namespace

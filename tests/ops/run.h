@@ -23,6 +23,7 @@ inline const Registry& ops_registry()
         register_extrude(r);
         register_remesh(r);
         register_topology(r);
+        register_rind(r);
         register_mesh(r);
         register_check(r);
         return r;

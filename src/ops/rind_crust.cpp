@@ -1,0 +1,295 @@
+// rind.crust: a surface and its copy inside, joined by nothing but the table that says which faces belong together.
+#include "dlfl/measures.h"
+#include "dlfl/mesh_tables.h"
+#include "geom/least_squares.h"
+#include "ops/group.h"
+#include "ops/pipe.h"
+#include "ops/rind.h"
+#include "ops/rind_reassembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace druse {
+
+namespace {
+
+constexpr double no_sum = 1e-9; // of unit normals that add up to nothing
+
+Vector normal_of_largest_face(const Mesh& mesh, Vertex v)
+{
+    Vector largest(0.0);
+    for (const Corner c : mesh.around(v)) {
+        if (mesh.face(c).is_boundary()) continue;
+        const Vector a = area_vector(mesh, mesh.face(c));
+        if (glm::dot(a, a) > glm::dot(largest, largest)) largest = a;
+    }
+    return direction(largest);
+}
+
+std::string counted(std::uint64_t n, const char* one, const char* many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
+
+} // namespace
+
+CrustOffsets crust_offsets(const Mesh& mesh, bool uniform, double limit)
+{
+    CrustOffsets result;
+    std::vector<Vector>& sum = result.outward;
+    sum.assign(mesh.vertex_limit(), Vector(0.0));
+    std::vector<Symmetric3> squares(uniform ? mesh.vertex_limit() : 0);
+    for (const Face f : mesh.faces()) {
+        const Corner first = mesh.corner(f);
+        const Point& p = mesh.position(first);
+        Vector n(0.0); // Newell's, as a fan
+        for (Corner b = mesh.next(first), c = mesh.next(b); c != first; b = c, c = mesh.next(c)) n += glm::cross(mesh.position(b) - p, mesh.position(c) - p);
+        n = direction(n);
+        for (const Corner c : mesh.corners(f)) {
+            sum[mesh.vertex(c).index] += n;
+            if (uniform) squares[mesh.vertex(c).index].add_square(n);
+        }
+    }
+    for (const Vertex v : mesh.vertices()) {
+        Vector& d = sum[v.index];
+        if (!(glm::dot(d, d) > no_sum * no_sum)) {
+            if (mesh.is_point_sphere(v)) continue;
+            d = normal_of_largest_face(mesh, v);
+            ++result.folded;
+        } else if (!uniform) {
+            d = unit(d);
+        } else {
+            d = least_squares(squares[v.index], d, 0.02);
+            if (const double length = glm::length(d); length > limit) {
+                d *= limit / length;
+                ++result.limited;
+            }
+        }
+    }
+    return result;
+}
+
+Point shape_center(const Mesh& mesh, const OrWord<Point>& center)
+{
+    if (center.word.empty()) return center.value;
+    if (center.word == "box") return bounds(mesh).center();
+    Point mean(0.0);
+    for (const Vertex v : mesh.vertices()) mean += mesh.position(v) / double(mesh.vertex_count());
+    if (center.word == "vertices") return mean;
+    // Of the tetrahedra between a point and the triangles of each face, fanned from its mean.
+    double volume = 0, size = 0;
+    Point moment(0.0);
+    for (const Face f : mesh.faces()) {
+        const Point m = vertex_mean(mesh, f) - mean;
+        for (const Corner c : mesh.corners(f)) {
+            const Point a = mesh.position(c) - mean, b = mesh.position(mesh.next(c)) - mean;
+            const double six = glm::dot(m, glm::cross(a, b));
+            volume += six;
+            size += std::abs(six);
+            moment += 0.25 * six * (m + a + b);
+        }
+    }
+    if (!(std::abs(volume) > 1e-12 * size)) throw CommandError("center=volume: the model encloses no volume");
+    return mean + moment / volume;
+}
+
+namespace {
+
+/// Boundary faces take part as faces like all others, after the copies: those of the surface, then those of the copy.
+void double_open(Scene& scene)
+{
+    const Mesh& mesh = scene.mesh;
+    const Reassembly old(mesh);
+    MeshAssembler all;
+    old.add_vertices(all);
+    old.add_vertices(all);
+    old.add_corners(all);
+    for (const Corner c : old.corners()) all.add_corner(mesh.vertex_limit() + mesh.vertex(c).index);
+    const auto copy = [&old](Corner c) { return old.corner_count() + old.number(c); };
+    for (const Edge e : mesh.edges()) all.add_edge(old.number(mesh.corner(e, 0)), old.number(mesh.corner(e, 1)));
+    for (const Edge e : mesh.edges()) all.add_edge(copy(mesh.next(mesh.corner(e, 0))), copy(mesh.next(mesh.corner(e, 1))));
+    std::vector<std::int32_t> groups;
+    const auto add = [&](Face f, int group, bool reversed) {
+        const Corner first = mesh.corner(f);
+        Corner c = first;
+        do {
+            all.add_to_face(reversed ? copy(c) : old.number(c));
+            c = reversed ? mesh.previous(c) : mesh.next(c);
+        } while (c != first);
+        all.end_face();
+        groups.push_back(group);
+    };
+    for (const bool reversed : {false, true})
+        for (const Face f : mesh.faces()) add(f, mesh.group(f), reversed);
+    for (const bool reversed : {false, true})
+        for (const Face f : mesh.boundary_faces()) add(f, 0, reversed);
+    old.put_in_place(scene, all, groups);
+}
+
+} // namespace
+
+std::vector<Face> add_reversed_copy(Scene& scene)
+{
+    Mesh& mesh = scene.mesh;
+    const std::uint32_t boundaries = mesh.boundary_count(), faces = mesh.face_limit();
+    if (boundaries == 0) {
+        MeshTables::append_reversed(mesh);
+        return {};
+    }
+    double_open(scene);
+    std::vector<Face> walls;
+    PipeMaker maker(mesh);
+    for (std::uint32_t i = 0; i < boundaries; ++i) {
+        const Face rim(2 * faces + i), its_copy(2 * faces + boundaries + i);
+        maker.create_facing(mesh.corner(rim), mesh.corner(its_copy), walls);
+    }
+    return walls;
+}
+
+// --- the operator -----------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Six times the volume of each closed component, before and after its vertices have moved.
+std::uint32_t count_turned_over(const Mesh& mesh, std::span<const Point> before, std::span<const Point> after)
+{
+    const Components parts = components(mesh);
+    std::vector<double> volumes[2]{std::vector<double>(parts.parts.size(), 0.0), std::vector<double>(parts.parts.size(), 0.0)};
+    const Point origin = bounds(mesh).center();
+    for (const Face f : mesh.faces())
+        for (const auto& [points, volume] : {std::pair(before, &volumes[0]), std::pair(after, &volumes[1])}) {
+            Point mean(0.0);
+            for (const Corner c : mesh.corners(f)) mean += points[mesh.vertex(c).index] - origin;
+            mean /= double(mesh.valence(f));
+            for (const Corner c : mesh.corners(f))
+                (*volume)[parts.of_face[f.index]] += glm::dot(mean, glm::cross(points[mesh.vertex(c).index] - origin, points[mesh.target(c).index] - origin));
+        }
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < parts.parts.size(); ++i)
+        if (parts.parts[i].boundary_loops == 0 && volumes[0][i] != 0 && !(volumes[1][i] / volumes[0][i] > 0)) ++count;
+    return count;
+}
+
+/// What is decided before anything changes: where the vertices of the moved surface go, and which surface that is.
+struct Placement {
+    std::vector<Point> moved; // by vertex
+    bool outward = false;     // the given surface moves
+    std::string beyond;       // `thickness 2 is more than the safe 0.95`, or empty
+};
+
+Placement place_by_thickness(const Mesh& mesh, const CrustShape& shape, Context& context)
+{
+    CrustOffsets offsets = crust_offsets(mesh, shape.uniform, shape.limit);
+    const bool automatic = !shape.thickness.word.empty();
+    double thickness = shape.thickness.value;
+    Placement result;
+    result.outward = !automatic && thickness < 0;
+    if (automatic || shape.guard != Guard::off) {
+        const double safe = safe_thickness(mesh, offsets, result.outward, context.progress);
+        if (automatic) {
+            if (!(safe > 0) || std::isinf(safe))
+                throw CommandError(safe > 0 ? "thickness=auto: the surface sets no limit to go by" : "thickness=auto: no thickness is safe");
+            thickness = 0.5 * safe;
+            context.note(fmt::format("thickness {:.6g}", thickness));
+        } else if (std::abs(thickness) > safe) {
+            result.beyond = fmt::format("thickness {:.6g} is more than the safe {:.6g}", std::abs(thickness), safe);
+            if (shape.guard == Guard::error) throw CommandError(result.beyond);
+            if (shape.guard == Guard::limit) {
+                if (!(safe > 0)) throw CommandError("no thickness is safe");
+                thickness = std::copysign(safe, thickness);
+                context.note(fmt::format("thickness reduced to the safe {:.6g}", safe));
+                result.beyond.clear();
+            }
+        }
+    }
+    if (offsets.folded > 0)
+        context.note(counted(offsets.folded, "vertex is folded flat: moved square to its largest face", "vertices are folded flat: moved square to their largest faces"));
+    if (offsets.limited > 0) context.note(counted(offsets.limited, "vertex limited", "vertices limited"));
+    result.moved = std::move(offsets.outward);
+    for (std::uint32_t v = 0; v < mesh.vertex_limit(); ++v) result.moved[v] = mesh.position(Vertex(v)) - thickness * result.moved[v];
+    return result;
+}
+
+Placement place_by_scale(const Mesh& mesh, const CrustShape& shape)
+{
+    const Point center = shape_center(mesh, shape.center);
+    Placement result;
+    result.outward = shape.scale > 1;
+    for (const Point& p : mesh.positions()) result.moved.push_back(center + shape.scale * (p - center));
+    return result;
+}
+
+/// Takes the point spheres of both surfaces away. @return how many there were in the one
+std::uint32_t drop_point_spheres(Mesh& mesh)
+{
+    std::uint32_t count = 0;
+    for (std::uint32_t v = 0; v < mesh.vertex_limit(); ++v)
+        if (mesh.is_point_sphere(Vertex(v))) {
+            mesh.delete_vertex(Vertex(v));
+            ++count;
+        }
+    return count / 2;
+}
+
+void run_crust(Scene& scene, const CrustShape& shape, Context& context)
+{
+    Mesh& mesh = scene.mesh;
+    if (shape.by == CrustBy::thickness && shape.thickness.word.empty() && shape.thickness.value == 0) throw CommandError("thickness must not be 0");
+    if (shape.by == CrustBy::scale && shape.scale == 1) throw CommandError("scale must not be 1");
+    if (mesh.edge_count() == 0) throw CommandError("there is no surface");
+    const Placement placement = shape.by == CrustBy::scale ? place_by_scale(mesh, shape) : place_by_thickness(mesh, shape, context);
+    const std::uint32_t vertices = mesh.vertex_limit(), faces = mesh.face_limit();
+    CrustFaults faults;
+    if (shape.guard != Guard::off) faults.turned_over = count_turned_over(mesh, mesh.positions(), placement.moved);
+
+    const std::vector<Face> rim = add_reversed_copy(scene);
+    const std::uint32_t first_moved = placement.outward ? 0 : vertices;
+    for (std::uint32_t v = 0; v < vertices; ++v) mesh.set_position(Vertex(first_moved + v), placement.moved[v]);
+    if (!rim.empty()) {
+        const int group = first_new_group(mesh, 1);
+        for (const Face f : rim) mesh.set_group(f, group);
+    }
+    scene.rind = Rind::of_copies(mesh, faces);
+
+    if (shape.guard != Guard::off) {
+        faults.met = self_intersections(mesh, context.progress, CrustFaults::most);
+        if (faults.any() || !placement.beyond.empty()) {
+            const std::string found = faults.any() ? faults.text() : "";
+            const std::string text = placement.beyond + (placement.beyond.empty() || found.empty() ? "" : ": ") + found;
+            if (shape.guard == Guard::error) throw CommandError(text);
+            context.note(text);
+        }
+    }
+    if (const std::uint32_t spheres = drop_point_spheres(mesh); spheres > 0)
+        context.note(counted(spheres, "point sphere is no surface: left out", "point spheres are no surface: left out"));
+}
+
+} // namespace
+
+std::string CrustFaults::text() const
+{
+    std::string text;
+    if (met.pairs >= most) text = fmt::format("{} pairs of triangles or more cross", most);
+    else if (met.pairs > 0) text = counted(met.pairs, "pair of triangles crosses", "pairs of triangles cross");
+    if (turned_over > 0) text += (text.empty() ? "" : ", ") + counted(turned_over, "surface is turned inside out", "surfaces are turned inside out");
+    return text;
+}
+
+Operator rind_crust_operator()
+{
+    using P = CrustShape;
+    return define<P>("rind.crust", "Make a crust: a second surface under the first one, to be opened by rind.punch and rind.peel")
+        .param(&P::by, "by", words({"thickness", "scale"}), "how the second surface is placed")
+        .param(&P::thickness, "thickness", Unit::length, {-largest_coordinate, largest_coordinate}, words({"auto"}), "above 0 a copy goes inward, below 0 the given surface goes outward; auto: half of what is safe")
+        .param(&P::uniform, "uniform", "move vertices so that the walls are as thick as asked, not less")
+        .param(&P::limit, "limit", Unit::ratio, {1, 100}, "most a vertex may move with uniform=true, in thicknesses")
+        .param(&P::scale, "scale", Unit::ratio, above(0), "by=scale: below 1 of the copy, above 1 of the given surface")
+        .param(&P::center, "center", words({"vertices", "box", "volume"}), "by=scale: the point that stays")
+        .param(&P::guard, "guard", words({"warn", "limit", "error", "off"}), "where the crust is thicker than safe, or meets itself: say so, make it thinner, refuse, or do not look")
+        .example("rind.crust thickness=0.15 uniform=true")
+        .cites("Özener, Akleman & Srinivasan 2005")
+        .run(run_crust);
+}
+
+} // namespace druse
