@@ -37,3 +37,5 @@ done
 draw truncation_06_star --size 560x480 --edges --groups --view 30,35
 draw truncation_06_notch --size 560x500 --edges --groups --view 112,32
 draw truncation_08_wall --size 720x440 --groups --view 20,14
+draw rind_01_elephant --size 600x460 --view 35,18
+for figure in rind_02_balls rind_02_links rind_03_branching rind_05_hall; do draw "$figure" --size 480x460; done

@@ -47,10 +47,12 @@ TEST_P(GalleryScript, MakesASoundModelThatThePageShows)
     const Mesh& mesh = document.scene().mesh;
     EXPECT_SOUND(mesh);
     EXPECT_EQ(mesh.boundary_count(), 0u);
-    EXPECT_EQ(genus(mesh), 0);
     EXPECT_GT(volume(mesh), 0);
 
     const std::string name = script.stem().string();
+    if (!name.starts_with("rind")) {
+        EXPECT_EQ(genus(mesh), 0);
+    }
     fs::path picture = script;
     picture.replace_extension(".png");
     ASSERT_TRUE(fs::exists(picture));
@@ -60,14 +62,17 @@ TEST_P(GalleryScript, MakesASoundModelThatThePageShows)
     EXPECT_NE(page.find("![](" + name + ".png)"), std::string::npos);
     EXPECT_NE(text_of(fs::path(DRUSE_GALLERY) / "render.sh").find(name), std::string::npos);
 
-    // "None of the models in these images required more than ten operations" (Landreneau 2005, V.1). The towers stand four in a picture.
+    // "None of the models in these images required more than ten operations" (Landreneau 2005, V.1). The towers stand four in a picture, and of
+    // the elephant nobody has said it.
     const std::string text = text_of(script);
     int commands = 0;
     for (std::string_view rest = text; !rest.empty();) {
         const std::string_view line = next_line(rest);
         if (!line.empty() && line.front() != '#') ++commands;
     }
-    EXPECT_LE(commands, name.starts_with("fig_24") || name.starts_with("fig_25") ? 12 : 10);
+    if (name != "rind_01_elephant") {
+        EXPECT_LE(commands, name.starts_with("fig_24") || name.starts_with("fig_25") ? 12 : 10);
+    }
 }
 
 TEST(Gallery, FractalsHaveAsManyFacesAsTheirStepsSay)
@@ -81,6 +86,19 @@ TEST(Gallery, FractalsHaveAsManyFacesAsTheirStepsSay)
     EXPECT_EQ(faces("fig_26_menger.druse"), 6u * 13 * 13 * 13); // a square becomes nine, and four walls rise or sink
     EXPECT_EQ(faces("fig_26_cubes.druse"), 6u * 13 * 13 * 13);
     EXPECT_EQ(faces("fig_26_sierpinski.druse"), 4u * 6 * 6 * 6 * 6); // a triangle becomes three and a pyramid of three
+}
+
+TEST(Gallery, RindsHaveAsManyHandlesAsTheirHolesSay)
+{
+    // Of a sphere with b holes, b − 1 (Akleman, Chen & Srinivasan 2003): 12 pentagons; 12 again, however they meet; 6 tubes; and 2, below and above.
+    const std::map<std::string, std::vector<std::int64_t>> rinds{{"rind_02_balls", {11, 11, 11, 11, 11}}, {"rind_02_links", {11, 11, 11}},
+                                                                 {"rind_03_branching", {5}},               {"rind_05_hall", {1}}};
+    for (const auto& [name, expected] : rinds) {
+        Document document(all_operators());
+        Progress progress;
+        document.open(fs::path(DRUSE_GALLERY) / (name + ".druse"), progress);
+        EXPECT_EQ(facts(document.scene().mesh).component_genus, expected) << name;
+    }
 }
 
 TEST(Gallery, SolidsOfTheFiguresAreThoseOfTheirNames)
