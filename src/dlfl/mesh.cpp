@@ -46,8 +46,11 @@ void Mesh::set_start(Corner c) { set_face_corner(face(c), c); }
 int Mesh::largest_group() const
 {
     std::int32_t largest = 0;
-    for (std::uint32_t i = 0; i < face_limit(); ++i)
-        if (face_corner_[i].valid()) largest = std::max(largest, face_group_[i]);
+    if (free_faces_.empty()) // the rule: a loop without a branch, since every click on a large mesh asks
+        for (const std::int32_t group : face_group_.view()) largest = std::max(largest, group);
+    else
+        for (std::uint32_t i = 0; i < face_limit(); ++i)
+            if (face_corner_[i].valid()) largest = std::max(largest, face_group_[i]);
     return largest;
 }
 

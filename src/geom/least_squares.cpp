@@ -13,7 +13,7 @@ Vector least_squares(const Symmetric3& a, const Vector& b, double least)
     constexpr int most_rounds = 12; // each squares what is left; five are enough
     for (int round = 0; round < most_rounds; ++round) {
         const double off = std::abs(m[0][1]) + std::abs(m[1][2]) + std::abs(m[0][2]);
-        if (!(off > 1e-17 * (std::abs(m[0][0]) + std::abs(m[1][1]) + std::abs(m[2][2])))) break;
+        if (!(off > 1e-16 * (std::abs(m[0][0]) + std::abs(m[1][1]) + std::abs(m[2][2])))) break;
         for (const auto& [p, q] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)}) {
             if (m[p][q] == 0) continue;
             const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
@@ -29,6 +29,7 @@ Vector least_squares(const Symmetric3& a, const Vector& b, double least)
                 m[p][k] = c * pk - s * qk;
                 m[q][k] = s * pk + c * qk;
             }
+            m[p][q] = m[q][p] = 0;
             const Vector ap = axis[p], aq = axis[q];
             axis[p] = c * ap - s * aq;
             axis[q] = s * ap + c * aq;

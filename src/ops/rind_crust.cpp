@@ -45,7 +45,8 @@ CrustOffsets crust_offsets(const Mesh& mesh, bool uniform, double limit)
         const Point& p = mesh.position(first);
         Vector n(0.0); // Newell's, as a fan
         for (Corner b = mesh.next(first), c = mesh.next(b); c != first; b = c, c = mesh.next(c)) n += glm::cross(mesh.position(b) - p, mesh.position(c) - p);
-        n = direction(n);
+        const double square = glm::dot(n, n);
+        n = square > 1e-200 && square < 1e200 ? n * (1 / std::sqrt(square)) : direction(n);
         for (const Corner c : mesh.corners(f)) {
             sum[mesh.vertex(c).index] += n;
             if (uniform) squares[mesh.vertex(c).index].add_square(n);

@@ -27,11 +27,12 @@ double least_positive_root(double a, double b, double c)
 
 /// The thickness at which the first corner of a face turns over, seen along the face's normal. Reflex and straight corners do no harm.
 template <class Moves>
-double first_turn(const Mesh& mesh, Moves&& moves)
+double first_turn(const Mesh& mesh, Moves&& moves, Progress& progress)
 {
     constexpr double straight = 1e-9; // sine
     double least = infinity;
     for (const Face f : mesh.faces()) {
+        if (f.index % 4096 == 0) progress.step(0.0);
         const Vector n = unit_normal(mesh, f);
         for (const Corner b : mesh.corners(f)) {
             const Corner a = mesh.previous(b), c = mesh.next(b);
@@ -53,7 +54,7 @@ double safe_thickness(const Mesh& mesh, const CrustOffsets& offsets, bool outwar
 {
     const double sign = outward ? 1 : -1;
     const auto moves = [&](Corner c) { return sign * offsets.outward[mesh.vertex(c).index]; };
-    double least = first_turn(mesh, moves);
+    double least = first_turn(mesh, moves, progress);
 
     // From each vertex, and from the middle of each face, to the first face that it is not part of. That one comes the other half of the way.
     // The middle of a face is that of its largest triangle: the mean of its corners may lie beside it, or in one of them.
