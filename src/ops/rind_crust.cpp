@@ -282,7 +282,7 @@ Operator rind_crust_operator()
     using P = CrustShape;
     return define<P>("rind.crust", "Make a crust: a second surface under the first one, to be opened by rind.punch and rind.peel")
         .param(&P::by, "by", words({"thickness", "scale"}), "how the second surface is placed")
-        .param(&P::thickness, "thickness", Unit::length, {-largest_coordinate, largest_coordinate}, words({"auto"}), "above 0 a copy goes inward, below 0 the given surface goes outward; auto: half of what is safe")
+        .param(&P::thickness, "thickness", Unit::length, {-1e6, 1e6}, words({"auto"}), "above 0 a copy goes inward, below 0 the given surface goes outward; auto: half of what is safe")
         .param(&P::uniform, "uniform", "move vertices so that the walls are as thick as asked, not less")
         .param(&P::limit, "limit", Unit::ratio, {1, 100}, "most a vertex may move with uniform=true, in thicknesses")
         .param(&P::scale, "scale", Unit::ratio, above(0), "by=scale: below 1 of the copy, above 1 of the given surface")
