@@ -185,13 +185,18 @@ void OperatorTree::List::press_row(int row, int, int button, bool)
     }
 }
 
+/// The first one that has the words in its name, before those that only speak of them.
 void OperatorTree::List::choose_first()
 {
-    for (const Row& r : tree_.rows_)
-        if (r.op) {
-            tree_.session_.choose(r.op);
-            return;
-        }
+    const Operator* first = nullptr;
+    for (const Row& r : tree_.rows_) {
+        if (!r.op) continue;
+        if (!first) first = r.op;
+        if (lower(r.op->name).find(tree_.looked_for_) == std::string::npos) continue;
+        first = r.op;
+        break;
+    }
+    if (first) tree_.session_.choose(first);
 }
 
 std::string OperatorTree::List::tip(int row) const

@@ -21,6 +21,16 @@ bool is_target(const Parameter& p)
     return p.type == Type::faces || p.type == Type::edges || p.type == Type::vertices || p.type == Type::id || p.type == Type::corner;
 }
 
+/// `parts 2 → 1, genus 0 → 1`; empty if neither is another, or they are not counted.
+std::string topology_text(const std::optional<MeshFacts>& before, const std::optional<MeshFacts>& after)
+{
+    if (!before || !after || (before->components == after->components && before->genus == after->genus)) return {};
+    const auto change = [](const char* what, std::int64_t from, std::int64_t to) {
+        return from == to ? fmt::format("{} {}", what, to) : fmt::format("{} {} → {}", what, from, to);
+    };
+    return change("parts", before->components, after->components) + ", " + change("genus", before->genus, after->genus);
+}
+
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 } // namespace
@@ -368,9 +378,10 @@ void Session::take_over()
     const Request request = std::move(request_);
     Result result = std::move(result_);
     in_flight_ = false;
+    const std::optional<MeshFacts> before = display_.facts;
     if (result.change) result.change->apply_to(display_, document_);
     if (result.facts) display_.facts = std::move(result.facts);
-    report(request, result);
+    report(request, result, before);
     if (waiting_) {
         Request next = std::move(*waiting_);
         waiting_.reset();
@@ -380,7 +391,7 @@ void Session::take_over()
     changed();
 }
 
-void Session::report(const Request& request, const Result& result)
+void Session::report(const Request& request, const Result& result, const std::optional<MeshFacts>& before)
 {
     if (result.error) {
         report_error(request, result.error);
@@ -397,6 +408,7 @@ void Session::report(const Request& request, const Result& result)
     follow_saved_state(request, result);
 
     message_ = {};
+    if (request.target && request.task == Request::Task::command) say(Message::Kind::note, topology_text(before, display_.facts));
     for (const std::string& note : result.outcome.notes) say(Message::Kind::note, note);
     const std::string name = request.file.filename().string();
     switch (request.task) {

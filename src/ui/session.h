@@ -62,6 +62,8 @@ public:
     const Registry& registry() const { return registry_; }
     /// The mesh itself, for looking up corners; null while a command works on it. What runs in the background only reads it.
     const Mesh* mesh() const { return is_working() ? nullptr : &document_.scene().mesh; }
+    /// Which of its faces are a crust's; null at the same times.
+    const Rind* rind() const { return is_working() ? nullptr : &document_.scene().rind; }
 
     // --- the chosen operator --------------------------------------------------------------------------------------------
 
@@ -176,7 +178,7 @@ private:
     void perform(const Request& request, Progress& progress, Result& result);
     MeshDelta run_command(const Request& request, Progress& progress, Result& result);
     void take_over();
-    void report(const Request& request, const Result& result);
+    void report(const Request& request, const Result& result, const std::optional<MeshFacts>& before);
     void report_error(const Request& request, const std::exception_ptr& error);
     void follow_saved_state(const Request& request, const Result& result);
     std::size_t position() const { return document_.history().done(); }

@@ -5,12 +5,13 @@
 #include "ui/element_tools.h"
 #include "ui/face_tool.h"
 #include "ui/paint_tool.h"
+#include "ui/rind_tool.h"
 
 namespace druse::ui {
 
 namespace {
 
-enum class Click { none, face, paint, start_corner, corner_pair, edge, vertex };
+enum class Click { none, face, rind, paint, start_corner, corner_pair, edge, vertex };
 
 bool takes(const Operator& op, const char* parameter, Parameter::Type type)
 {
@@ -26,7 +27,8 @@ Click click_of(const Operator& op)
     const std::string family = op.family();
     if (takes(op, "c1", Type::corner) && takes(op, "c2", Type::corner)) return Click::corner_pair;
     if (family == "face" && takes(op, "vertex", Type::id)) return Click::start_corner;
-    if ((family == "extrude" || op.name == "rind.punch") && takes(op, "faces", Type::faces)) return Click::face;
+    if (family == "extrude" && takes(op, "faces", Type::faces)) return Click::face;
+    if (family == "rind" && takes(op, "faces", Type::faces)) return Click::rind;
     if (family == "group" && takes(op, "faces", Type::faces) && op.find("id")) return Click::paint;
     if (family == "topology" && takes(op, "edges", Type::edges)) return Click::edge;
     if (family == "topology" && takes(op, "vertices", Type::vertices)) return Click::vertex;
@@ -67,6 +69,7 @@ std::unique_ptr<Tool> tool_for(const Operator* op, Session& session, const Camer
 {
     switch (op ? click_of(*op) : Click::none) {
     case Click::face: return std::make_unique<FaceTool>(session, camera);
+    case Click::rind: return std::make_unique<RindTool>(session, camera);
     case Click::paint: return std::make_unique<PaintTool>(session, camera, settings);
     case Click::start_corner: return std::make_unique<StartCornerTool>(session, camera);
     case Click::corner_pair: return std::make_unique<CornerPairTool>(session, camera);
