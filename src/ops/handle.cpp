@@ -291,4 +291,12 @@ Operator handle_operator()
     return definition;
 }
 
+std::vector<std::array<Point, 2>> preview_band(const Operator& op, const void* parameters, const Mesh& mesh, Progress& progress)
+{
+    if (op.name == "topology.pipe") return preview_pipe(mesh, *static_cast<const PipeParameters*>(parameters), progress);
+    if (op.name != "topology.handle") return {};
+    const auto& p = *static_cast<const HandleParameters*>(parameters);
+    return preview_handle(mesh, p, p, progress);
+}
+
 } // namespace druse

@@ -62,4 +62,7 @@ std::vector<std::array<Point, 2>> preview_handle(const Mesh& mesh, const PipeEnd
 
 Operator handle_operator();
 
+/// preview_pipe() or preview_handle(), with parameters that `op.make()` made; no lines for other operators.
+std::vector<std::array<Point, 2>> preview_band(const Operator& op, const void* parameters, const Mesh& mesh, Progress& progress);
+
 } // namespace druse

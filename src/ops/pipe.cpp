@@ -253,11 +253,7 @@ std::vector<std::array<Point, 2>> preview_pipe(const Mesh& mesh, const PipeEnds&
 
 namespace {
 
-struct Pipe : PipeEnds {
-    int segments = 1;
-};
-
-void run_pipe(Scene& scene, const Pipe& p, Context& context)
+void run_pipe(Scene& scene, const PipeParameters& p, Context& context)
 {
     const PipeFaces faces(scene.mesh, p);
     require_apart(scene.mesh, faces.from, faces.to);
@@ -281,9 +277,9 @@ void run_pipe(Scene& scene, const Pipe& p, Context& context)
 
 Operator pipe_operator()
 {
-    auto definition = define<Pipe>("topology.pipe", "Take two faces away and join their boundaries by a band: a handle, or one component of two");
+    auto definition = define<PipeParameters>("topology.pipe", "Take two faces away and join their boundaries by a band: a handle, or one component of two");
     add_pipe_ends(definition);
-    definition.param(&Pipe::segments, "segments", Unit::count, {1, 256}, "how many bands one after the other")
+    definition.param(&PipeParameters::segments, "segments", Unit::count, {1, 256}, "how many bands one after the other")
         .example("topology.pipe from=0 to=5")
         .cites("Akleman, Chen & Srinivasan 2003; Fuchs, Kedem & Uselton 1977")
         .euler_change(-2)

@@ -57,6 +57,10 @@ struct PipeEnds {
 
 };
 
+struct PipeParameters : PipeEnds {
+    int segments = 1;
+};
+
 /// The two faces that a command is going to join, checked and measured; `unequal=split` has its vertices among the points.
 class PipeFaces {
 public:

@@ -8,15 +8,11 @@ namespace druse::ui {
 
 namespace {
 
-/// `FACE:K` for the corner of a face at a vertex; of several, the first from the start corner. Empty if there is none.
+/// `FACE:K` for the corner of a face at a vertex. Empty if there is none.
 std::string corner_text(const Mesh& mesh, Face f, Vertex v)
 {
-    int k = 0;
-    for (const Corner c : mesh.corners(f)) {
-        if (mesh.vertex(c) == v) return fmt::format("{}:{}", f.index, k);
-        ++k;
-    }
-    return {};
+    const std::optional<int> k = CornerTool::place(mesh, f, v);
+    return k ? fmt::format("{}:{}", f.index, *k) : std::string();
 }
 
 } // namespace
@@ -37,6 +33,16 @@ std::optional<Target> CornerTool::under(const Pointer& pointer) const
             }
         }
     return target->vertex ? target : std::nullopt;
+}
+
+std::optional<int> CornerTool::place(const Mesh& mesh, Face f, Vertex v)
+{
+    int k = 0;
+    for (const Corner c : mesh.corners(f)) {
+        if (mesh.vertex(c) == v) return k;
+        ++k;
+    }
+    return {};
 }
 
 void StartCornerTool::act(const Target& target, const Pointer&)

@@ -2,6 +2,8 @@
 
 #include "ui/tool.h"
 
+#include <utility>
+
 namespace druse::ui {
 
 /// The corner of the face under the pointer that is nearest to it in the picture.
@@ -9,6 +11,8 @@ class CornerTool : public Tool {
 public:
     using Tool::Tool;
     std::optional<Target> under(const Pointer& pointer) const override;
+    /// Which corner of a face a vertex is, counted from the start corner; of several the first one.
+    static std::optional<int> place(const Mesh& mesh, Face f, Vertex v);
 };
 
 /// Makes the clicked corner the start corner of its face, or of all selected faces that have its vertex if the face is one of them.
@@ -25,6 +29,7 @@ public:
     using CornerTool::CornerTool;
     void act(const Target& target, const Pointer& pointer) override;
     void act_on_nothing() override { first_.clear(); }
+    bool take_back() override { return !std::exchange(first_, {}).empty(); }
     std::string hint() const override { return first_.empty() ? "click the first corner" : "click the second corner; first is " + first_; }
 
 private:

@@ -291,7 +291,10 @@ int MainWindow::handle(int event)
 void MainWindow::escape()
 {
     const Selection& selection = *session_.display().selection;
-    if (view_.cancel()) return;
+    if (view_.cancel()) {
+        update_hint();
+        return;
+    }
     if (session_.is_working()) session_.cancel();
     else if (view_.smooth().is_computing()) view_.smooth().set_on(false);
     else if (is_text_field(Fl::focus())) viewport_.take_focus();

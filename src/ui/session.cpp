@@ -458,7 +458,7 @@ void Session::report_error(const Request& request, const std::exception_ptr& err
     }
     if (request.target)
         for (const auto& [key, value] : *request.target)
-            if (key == "faces" && display_.lists.has_faces()) try {
+            if ((key == "faces" || key == "from" || key == "to") && display_.lists.has_faces()) try {
                     for (const Face f : FaceSelector::parse(value).resolve(document_.scene())) failed_.push_back(f);
                 } catch (const CommandError&) {
                 }

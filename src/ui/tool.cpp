@@ -3,6 +3,7 @@
 #include "ui/click_gesture.h"
 #include "ui/corner_tools.h"
 #include "ui/element_tools.h"
+#include "ui/face_pair_tool.h"
 #include "ui/face_tool.h"
 #include "ui/paint_tool.h"
 #include "ui/rind_tool.h"
@@ -11,7 +12,7 @@ namespace druse::ui {
 
 namespace {
 
-enum class Click { none, face, rind, paint, start_corner, corner_pair, edge, vertex };
+enum class Click { none, face, rind, paint, start_corner, corner_pair, face_pair, edge, vertex };
 
 bool takes(const Operator& op, const char* parameter, Parameter::Type type)
 {
@@ -27,6 +28,7 @@ Click click_of(const Operator& op)
     const std::string family = op.family();
     if (takes(op, "c1", Type::corner) && takes(op, "c2", Type::corner)) return Click::corner_pair;
     if (family == "face" && takes(op, "vertex", Type::id)) return Click::start_corner;
+    if (family == "topology" && takes(op, "from", Type::id) && takes(op, "to", Type::id)) return Click::face_pair;
     if (family == "extrude" && takes(op, "faces", Type::faces)) return Click::face;
     if (family == "rind" && takes(op, "faces", Type::faces)) return Click::rind;
     if (family == "group" && takes(op, "faces", Type::faces) && op.find("id")) return Click::paint;
@@ -73,6 +75,7 @@ std::unique_ptr<Tool> tool_for(const Operator* op, Session& session, const Camer
     case Click::paint: return std::make_unique<PaintTool>(session, camera, settings);
     case Click::start_corner: return std::make_unique<StartCornerTool>(session, camera);
     case Click::corner_pair: return std::make_unique<CornerPairTool>(session, camera);
+    case Click::face_pair: return std::make_unique<FacePairTool>(session, camera);
     case Click::edge: return std::make_unique<EdgeTool>(session, camera);
     case Click::vertex: return std::make_unique<VertexTool>(session, camera);
     case Click::none: break;

@@ -48,8 +48,12 @@ public:
     virtual void preview(const Target&, Overlay&) const {}
     /// Draws over the mesh what belongs to the pointer itself.
     virtual void add_pointer(const Pointer&, Overlay&) const {}
+    /// Draws over the mesh what clicks before this one have marked.
+    virtual void add_marks(Overlay&) const {}
     /// A click beside everything.
     virtual void act_on_nothing() {}
+    /// Escape between two clicks: forgets the first one. @return false if there is none
+    virtual bool take_back() { return false; }
     /// What the mouse does now, for the status bar.
     virtual std::string hint() const = 0;
     /// The same while the button is held.

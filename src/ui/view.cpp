@@ -112,6 +112,7 @@ Overlay View::overlay() const
 
     if (armed_operator_ && armed_operator_->family() == "face")
         for (const Point& p : session_.display().starts) overlay.lines.push_back({p, p, overlay.highlight, 9 * layout().scale, 1});
+    tool().add_marks(overlay);
     if (pointer_ && !box_next_ && !is_moving_camera()) tool().add_pointer(*pointer_, overlay);
     const auto axes = Gizmo::lines(camera_, pointer_ ? std::optional(Point2(pointer_->x, pointer_->y)) : std::nullopt);
     overlay.screen_lines.insert(overlay.screen_lines.end(), axes.begin(), axes.end());
@@ -337,7 +338,12 @@ bool View::cancel()
         redraw();
         return true;
     }
-    if (!gesture_) return false;
+    if (!gesture_) {
+        if (!tool().take_back()) return false;
+        event("click taken back");
+        redraw();
+        return true;
+    }
     const std::unique_ptr<Tool> carried = std::move(carried_);
     const std::unique_ptr<Gesture> gesture = std::move(gesture_);
     if (clicking_) event("click cancelled");

@@ -77,7 +77,7 @@ public:
     /// For tools that are carried.
     template <class T, class... Args>
     std::unique_ptr<Tool> make_tool(Args&&... args) { return std::make_unique<T>(session_, camera_, std::forward<Args>(args)...); }
-    /// Escape: cancels what the pressed button would do. @return false if there was nothing to cancel
+    /// Escape: cancels what the pressed button would do, or forgets the first of two clicks. @return false if there was nothing to cancel
     bool cancel();
 
     /// The session's display or operator changed.
