@@ -165,6 +165,16 @@ std::vector<Control> controls_of(const Operator& op, const Implied& implied)
     return result;
 }
 
+void slide_around_zero(Control& control, double reach)
+{
+    control.kind = Control::Kind::number;
+    control.slider = true;
+    control.range.without_zero = true;
+    control.step = round_step(reach / 150);
+    control.high = control.step * std::ceil(reach / control.step);
+    control.low = -control.high;
+}
+
 std::string piece_of(std::string_view text, int place)
 {
     if (place < 0) return std::string(text);

@@ -37,6 +37,7 @@ struct Control {
     Range range;              // what is allowed
     double low = 0, high = 0; // where the slider ends; typing may go on to the ends of `range`
     double step = 0;
+    std::vector<double> marks; // places that are marked on the slider
 
     /// The number that a slider gives at `x`: a multiple of the step, inside the slider and allowed.
     double snap(double x) const;
@@ -47,6 +48,9 @@ struct Control {
 
 /// The rows for an operator, in the order of its parameters. Those that have an implied value slide as others do.
 std::vector<Control> controls_of(const Operator& op, const Implied& implied = {});
+
+/// Makes it a number with a slider that goes as far above 0 as below it, about that far.
+void slide_around_zero(Control& control, double reach);
 
 /// The piece of a list at `place`, or all of `text` if that is negative; empty if the list is too short.
 std::string piece_of(std::string_view text, int place);

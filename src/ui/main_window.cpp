@@ -88,6 +88,11 @@ MainWindow::MainWindow(Session& session, Preferences& preferences, const Options
         Fl::awake([](void* smooth) { static_cast<SmoothPreview*>(smooth)->finish(); }, &view_.smooth());
     };
     view_.smooth().on_change = [this] { smooth_changed(); };
+    view_.crust().wake = [this] {
+        Fl::awake([](void* crust) { static_cast<CrustGuide*>(crust)->finish(); }, &view_.crust());
+    };
+    view_.crust().on_change = [this] { parameters_.refresh(), viewport_.redraw(); };
+    parameters_.fit = [this](Control& control) { view_.crust().fit(control); };
     status_.side_work = [this]() -> std::optional<SideWork> {
         SmoothPreview& smooth = view_.smooth();
         if (!smooth.is_computing()) return {};
@@ -124,6 +129,8 @@ MainWindow::~MainWindow()
     view_.on_event = nullptr;
     view_.smooth().wake = nullptr;
     view_.smooth().on_change = nullptr;
+    view_.crust().wake = nullptr;
+    view_.crust().on_change = nullptr;
     view_.on_menu = nullptr;
     hide();
     // As its parts go one by one, FLTK looks for another to give the pointer to: there is none from here on.

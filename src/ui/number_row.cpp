@@ -71,6 +71,12 @@ void NumberRow::show_value(const std::string& text, bool is_default)
     redraw();
 }
 
+void NumberRow::follow(const Control& control)
+{
+    ParameterRow::follow(control);
+    slider_.set_marks(control.marks);
+}
+
 void NumberRow::typed()
 {
     // What was not touched keeps the digits that the field does not show.

@@ -12,6 +12,7 @@ class NumberRow : public ParameterRow {
 public:
     NumberRow(const Control& control, int x, int y, int w);
     void show_value(const std::string& text, bool is_default) override;
+    void follow(const Control& control) override;
     int handle(int event) override;
 
 protected:

@@ -103,6 +103,7 @@ void ParameterPanel::refresh()
 {
     const Operator* chosen = session_.chosen();
     std::vector<Control> controls = chosen ? controls_of(*chosen, session_.implied()) : std::vector<Control>();
+    if (fit) std::ranges::for_each(controls, fit);
     const bool is_same = chosen == shown_;
     if (!is_same || !std::ranges::equal(controls, controls_, [](const Control& a, const Control& b) { return a.is_like(b); })) {
         if (!is_same) scroll_.scroll_to_top();
@@ -110,7 +111,9 @@ void ParameterPanel::refresh()
         controls_ = std::move(controls);
         make_rows(is_same);
         redraw();
+        controls = controls_;
     }
+    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->follow(controls[i]);
     if (shown_) {
         show_values();
         apply_.tooltip(acts_on_click(*shown_) ? "Run it on what its fields say, the selection as a rule (Enter)" : "Run it (Enter)");

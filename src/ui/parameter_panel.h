@@ -20,6 +20,8 @@ public:
     ParameterPanel(Session& session, Pictures& pictures, int x, int y, int w, int h);
 
     std::function<void()> on_help;
+    /// Fits a control to the model that there is.
+    std::function<void(Control&)> fit;
 
     /// Shows what the session has now.
     void refresh();

@@ -10,12 +10,21 @@
 #include <FL/Fl_Menu_Item.H>
 #include <FL/fl_draw.H>
 
+#include <vector>
+
 namespace druse::ui {
 
 ParameterRow::ParameterRow(const Control& control, int x, int y, int w) : Panel(x, y, w, layout().row_height()), control_(control)
 {
     copy_tooltip(control_.help.c_str());
     color(theme().window);
+}
+
+void ParameterRow::follow(const Control& control)
+{
+    if (control.help == control_.help) return;
+    control_.help = control.help;
+    copy_tooltip(control_.help.c_str());
 }
 
 int ParameterRow::control_x() const { return x() + layout().label_width(); }
@@ -57,16 +66,21 @@ int ParameterRow::handle(int event)
 void ParameterRow::open_menu()
 {
     const std::string initial = "Default" + (control_.initial.empty() ? std::string() : ": " + control_.initial);
-    const Fl_Menu_Item items[] = {
-        {"Type a value", 0, nullptr, nullptr, 0, 0, 0, 0, 0},
-        {initial.c_str(), 0, nullptr, nullptr, FL_MENU_DIVIDER, 0, 0, 0, 0},
-        {"Copy as command", 0, nullptr, nullptr, 0, 0, 0, 0, 0},
-        {nullptr, 0, nullptr, nullptr, 0, 0, 0, 0, 0},
-    };
-    const Fl_Menu_Item* picked = items->popup(Fl::event_x(), Fl::event_y());
-    if (picked == &items[0]) edit();
-    else if (picked == &items[1]) pick({});
-    else if (picked == &items[2] && on_copy) on_copy();
+    const auto item = [](const char* text, int flags) { return Fl_Menu_Item{text, 0, nullptr, nullptr, flags, 0, 0, 0, 0}; };
+    std::vector<Fl_Menu_Item> items{item("Type a value", 0)};
+    // Where there is no list of them beside the field.
+    const std::vector<std::string> words = control_.kind == Control::Kind::number ? control_.words : std::vector<std::string>();
+    for (const std::string& word : words) items.push_back(item(word.c_str(), 0));
+    items.push_back(item(initial.c_str(), FL_MENU_DIVIDER));
+    items.push_back(item("Copy as command", 0));
+    items.push_back(item(nullptr, 0));
+    const Fl_Menu_Item* picked = items.data()->popup(Fl::event_x(), Fl::event_y());
+    if (!picked) return;
+    const auto place = static_cast<std::size_t>(picked - items.data());
+    if (place == 0) edit();
+    else if (place <= words.size()) pick(words[place - 1]);
+    else if (place == words.size() + 1) pick({});
+    else if (on_copy) on_copy();
 }
 
 std::unique_ptr<ParameterRow> make_row(const Control& control, int x, int y, int w)

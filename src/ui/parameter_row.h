@@ -30,6 +30,8 @@ public:
     const Control& control() const { return control_; }
     /// Shows a value; `is_default` makes the label faint.
     virtual void show_value(const std::string& text, bool is_default) = 0;
+    /// Takes over the help and the marks of a control that the row serves too.
+    virtual void follow(const Control& control);
 
     int handle(int event) override;
 

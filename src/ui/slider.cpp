@@ -23,16 +23,23 @@ void Slider::set_range(double low, double high, double step)
     step_ = step;
 }
 
-int Slider::knob_x() const
+void Slider::set_marks(const std::vector<double>& marks)
 {
-    const double t = maximum() > minimum() ? std::clamp((value() - minimum()) / (maximum() - minimum()), 0.0, 1.0) : 0.0;
+    if (marks == marks_) return;
+    marks_ = marks;
+    redraw();
+}
+
+int Slider::knob_x(double value) const
+{
+    const double t = maximum() > minimum() ? std::clamp((value - minimum()) / (maximum() - minimum()), 0.0, 1.0) : 0.0;
     return x() + static_cast<int>(std::lround(t * (w() - layout().knob())));
 }
 
 void Slider::draw()
 {
     const int knob = layout().knob(), track = layout().track();
-    const int middle = y() + h() / 2, at = knob_x();
+    const int middle = y() + h() / 2, at = knob_x(value());
     fl_push_clip(x(), y(), w(), h());
     fl_color(parent() ? parent()->color() : theme().window);
     fl_rectf(x(), y(), w(), h());
@@ -46,6 +53,9 @@ void Slider::draw()
         fl_color(theme().accent);
         fl_rectf(std::min(from, to), middle - track / 2, std::abs(to - from), track);
     }
+    fl_color(theme().amber);
+    for (const double mark : marks_)
+        if (mark >= minimum() && mark <= maximum()) fl_rectf(knob_x(mark) + knob / 2 - track / 4, y() + h() / 2 - knob / 2, std::max(2, track / 2), knob);
     const bool focused = Fl::focus() == this;
     fl_color(!active_r() ? theme().border : hovered_ || focused ? theme().on_accent : theme().text);
     fl_pie(at, middle - knob / 2, knob, knob, 0, 360);

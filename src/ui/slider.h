@@ -3,6 +3,7 @@
 #include <FL/Fl_Valuator.H>
 
 #include <functional>
+#include <vector>
 
 namespace druse::ui {
 
@@ -14,6 +15,9 @@ public:
     Slider(int x, int y, int w, int h);
 
     void set_range(double low, double high, double step);
+    /// Values to be marked; those beyond the ends are not shown.
+    void set_marks(const std::vector<double>& marks);
+    const std::vector<double>& marks() const { return marks_; }
     /// Called with the wanted number before it becomes the value: what one can slide to.
     std::function<double(double)> snap;
     std::function<void(double)> on_slide;
@@ -25,11 +29,12 @@ protected:
     void draw() override;
 
 private:
-    int knob_x() const;
+    int knob_x(double value) const;
     void slide_to(double wanted);
     void go(double steps);
 
     double step_ = 0;
+    std::vector<double> marks_;
     bool hovered_ = false;
 };
 

@@ -39,9 +39,9 @@ void outline(Overlay& overlay, const Target& target, std::vector<Face>& faces)
 
 } // namespace
 
-View::View(Session& session) : session_(session), smooth_(session), select_(std::make_unique<SelectTool>(element_, session_, camera_))
+View::View(Session& session) : session_(session), smooth_(session), crust_(session), select_(std::make_unique<SelectTool>(element_, session_, camera_))
 {
-    smooth_.on_event = [this](const std::string& line) { event(line); };
+    smooth_.on_event = crust_.on_event = [this](const std::string& line) { event(line); };
 }
 
 void View::redraw()
@@ -109,6 +109,7 @@ Overlay View::overlay() const
     else if (hovered_) outline(overlay, *hovered_, overlay.hovered);
     if (gesture_) gesture_->add_to(overlay);
     else if (!settling_.painted.empty()) overlay.painted = settling_.painted, overlay.paint = settling_.paint;
+    else if (!crust_.meeting().empty()) overlay.painted = crust_.meeting(), overlay.paint = overlay.error;
 
     if (armed_operator_ && armed_operator_->family() == "face")
         for (const Point& p : session_.display().starts) overlay.lines.push_back({p, p, overlay.highlight, 9 * layout().scale, 1});
@@ -366,6 +367,7 @@ void View::session_changed()
         armed_ = tool_for(armed_operator_, session_, camera_, settings_);
     }
     smooth_.follow();
+    crust_.follow();
     // What was hovered may be gone; what is framed stays framed until a file, or the first shape, comes.
     hovered_.reset();
     redraw();

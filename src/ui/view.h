@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/crust_guide.h"
 #include "ui/gesture.h"
 #include "ui/smooth_preview.h"
 #include "ui/tool.h"
@@ -37,6 +38,7 @@ public:
     Overlay overlay() const;
     SmoothPreview& smooth() { return smooth_; }
     const SmoothPreview& smooth() const { return smooth_; }
+    CrustGuide& crust() { return crust_; }
     std::string hint() const;
     bool is_gesturing() const { return gesture_ != nullptr; }
     /// True while the camera is turned, moved or zoomed by a drag.
@@ -102,6 +104,7 @@ private:
     Camera camera_;
     Style style_;
     SmoothPreview smooth_;
+    CrustGuide crust_;
     Element element_ = Element::face;
     ToolSettings settings_;
 

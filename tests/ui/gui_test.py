@@ -30,9 +30,14 @@ SLIDER = (176, 278)
 PANEL_PICTURE = (260, 380)
 PRESETS = (250, 343)
 RESET = (203, 753)
+APPLY = (111, 753)
 SWATCH_X = 1028 + 16
 GROUP_ROWS_TOP = 28 + 28 + 242 + 28
 PAINT_BUTTON = (1060, 551)
+# Faces of a torus with 24 by 12 of them.
+HOLES = ((690, 485), (560, 475), (866, 436))
+STRIP = ((622, 565), (694, 565), (762, 555))
+INSIDE_THE_STRIP = (690, 567)
 
 
 class Failure(Exception):
@@ -495,6 +500,70 @@ def groups(druse, folder, pictures):
     check((folder / "again.druse").read_text().splitlines() == script, "a recording of the gestures should play back to the same history")
 
 
+def rinds(druse, folder, pictures):
+    """A crust, three holes and a peeled strip, each by a click; undone to the start bit for bit; the history gives the same again."""
+    (folder / "torus.druse").write_text("make.torus nu=24 nv=12\n")
+    run(druse, "apply", "-s", folder / "torus.druse", "-o", folder / "torus.obj")
+    window = Window(druse, folder, pictures, [folder / "torus.obj"])
+
+    def export(name, proposed="torus.stl"):
+        window.keys("ctrl+e")
+        window.answer_file_dialog("Export", folder / name, proposed)
+        window.wait("exported " + str(folder / name))
+
+    export("start.dlfl")
+    window.choose("rind.crust", "crust")
+    window.wait("safe thickness")
+    window.click(APPLY)
+    window.wait("applied rind.crust faces=576")
+    window.picture("1-crust")
+    y = row_middle(row_of(druse, "rind.crust", "thickness"))
+    window.click((SLIDER[1] - 4, y))
+    window.wait("adjusted rind.crust faces=576")
+    window.wait("faces that meet: ")
+    window.picture("2-too-thick")
+    window.click(((SLIDER[0] + SLIDER[1]) // 2 + 12, y))
+    window.wait("adjusted rind.crust faces=576")
+
+    # A torus of 288 quads: a hole takes 2 faces and adds 4 walls. So does the first face of a strip; the others take the wall between them too.
+    window.choose("rind.punch", "punch")
+    for place, faces in zip(HOLES, (578, 580, 582)):
+        window.press(place)
+        check("outlined 2" in window.wait("pressed face"), "the faces of both surfaces should be outlined")
+        window.release()
+        window.wait(f"applied rind.punch faces={faces}")
+    window.picture("3-punched")
+    window.choose("rind.peel", "peel")
+    for place in STRIP:
+        window.click(place)
+        window.wait("applied rind.peel faces=584")
+    window.picture("4-peeled")
+    window.click(INSIDE_THE_STRIP)
+    window.quiet("applied")
+    window.picture("5-no-rind")
+
+    for name in ("window.obj", "window.dlfl"):
+        export(name)
+    window.keys("ctrl+shift+s")
+    window.answer_file_dialog("Save as", folder / "history.druse", "torus.obj")
+    window.wait("saved " + str(folder / "history.druse"))
+    for faces in (584, 584, 582, 580, 578, 576, 288):
+        window.keys("ctrl+z")
+        window.wait(f"applied document.undo faces={faces}")
+    export("undone.dlfl", "history.stl")
+    window.close()
+
+    script = (folder / "history.druse").read_text().splitlines()
+    steps = [line.split()[0] for line in script[1:]]
+    check(steps == ["rind.crust"] + 3 * ["rind.punch"] + 3 * ["rind.peel"], f"one step for the crust and for each click: {script}")
+    check(all("faces=" in line and "," not in line for line in script[2:]), f"one face for each click: {script}")
+    check((folder / "undone.dlfl").read_bytes() == (folder / "start.dlfl").read_bytes(), "undone, the model should be what it was")
+    run(druse, "apply", "-s", folder / "history.druse", "-o", folder / "terminal.obj", "-o", folder / "terminal.dlfl")
+    for kind in ("obj", "dlfl"):
+        ours, theirs = ((folder / f"{name}.{kind}").read_text().replace("window", "terminal") for name in ("window", "terminal"))
+        check(ours == theirs, f"the exported .{kind} is not the one that `druse apply` makes")
+
+
 def replay(druse, folder, pictures):
     """A recording plays back to the same history."""
     window = Window(druse, folder, pictures, ["--record", folder / "recording.txt", folder / "colored_cube.obj"])
@@ -551,7 +620,7 @@ def main():
     scenario, druse, models, pictures = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4]) / sys.argv[1]
     shutil.rmtree(pictures, ignore_errors=True)
     pictures.mkdir(parents=True)
-    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, replay, sizes)}
+    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, rinds, replay, sizes)}
     with tempfile.TemporaryDirectory() as folder:
         try:
             folder = pathlib.Path(folder).resolve()
