@@ -4,14 +4,6 @@
 
 #include <dlfcn.h>
 
-#if defined(__SANITIZE_ADDRESS__)
-/// OSMesa (22.3) keeps a little of each context it has destroyed.
-extern "C" const char* __lsan_default_suppressions()
-{
-    return "leak:libOSMesa.so";
-}
-#endif
-
 namespace druse {
 
 namespace {

@@ -9,6 +9,7 @@
 #include <FL/Fl.H>
 #include <FL/Fl_Button.H>
 #include <FL/Fl_Choice.H>
+#include <FL/Fl_Group.H>
 
 #include <fmt/format.h>
 
@@ -26,6 +27,19 @@ std::string held()
     if (Fl::event_state(FL_CTRL)) text += " ctrl";
     if (Fl::event_state(FL_ALT)) text += " alt";
     return text;
+}
+
+/// The innermost widget at a place of the window. FLTK's own, `belowmouse`, lags behind a pointer that jumps.
+const Fl_Widget* widget_at(const Fl_Group& group, int x, int y)
+{
+    for (int i = group.children() - 1; i >= 0; --i) {
+        Fl_Widget& child = *group.child(i);
+        if (!child.visible() || x < child.x() || y < child.y() || x >= child.x() + child.w() || y >= child.y() + child.h()) continue;
+        const Fl_Group* inner = child.as_group();
+        if (!inner) return &child;
+        return child.as_window() ? widget_at(*inner, x - child.x(), y - child.y()) : widget_at(*inner, x, y);
+    }
+    return &group;
 }
 
 /// Would a press on it open a menu or a dialog? Their labels end in dots, as in menus, or in the mark of a list.
@@ -70,7 +84,7 @@ void Recorder::record(int event)
     const bool in_view = x >= window_.viewport().x() && x < window_.viewport().x() + window_.viewport().w() && y >= window_.viewport().y();
     switch (event) {
     case FL_PUSH:
-        if (y < window_.menu().h() || (Fl::event_button() == 3 && !in_view) || opens_something(Fl::belowmouse())) break;
+        if (y < window_.menu().h() || (Fl::event_button() == 3 && !in_view) || opens_something(widget_at(window_, x, y))) break;
         pressed_ = true;
         write(fmt::format("push {} {} {}{}{}", x, y, Fl::event_button(), held(), Fl::event_clicks() > 0 ? " twice" : ""));
         break;

@@ -189,6 +189,7 @@ std::optional<std::string> choose_solid(Pictures& pictures, const std::string& c
     window.show();
     grid.take_focus();
     while (window.shown()) Fl::wait();
+    Fl::flush(); // the display lets the window go before what was chosen has any effect
     pictures.on_ready = redraw_window;
     if (redraw_window) redraw_window();
 

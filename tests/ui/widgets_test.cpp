@@ -43,7 +43,8 @@ TEST_F(Widgets, ASliderOfOneTierLeavesTheOthersAlone)
     Slider& second = slider("heights", 1);
     push(second.x() + second.w() - 1, second.y() + 5);
     release(second.x() + second.w() - 1, second.y() + 5);
-    const auto heights = split(session->arguments().text("heights"), ',');
+    const std::string text = session->arguments().text("heights");
+    const auto heights = split(text, ',');
     ASSERT_EQ(heights.size(), 3u);
     EXPECT_EQ(heights[0], "1");
     EXPECT_GT(parse_number(heights[1]), 5);
