@@ -91,6 +91,12 @@ void Slider::go(double steps)
     }
 }
 
+double Slider::under_pointer() const
+{
+    const double t = double(Fl::event_x() - x() - layout().knob() / 2) / std::max(1, w() - layout().knob());
+    return minimum() + std::clamp(t, 0.0, 1.0) * (maximum() - minimum());
+}
+
 int Slider::handle(int event)
 {
     switch (event) {
@@ -103,12 +109,11 @@ int Slider::handle(int event)
         if (Fl::event_button() != 1) return 0;
         take_focus();
         [[fallthrough]];
-    case FL_DRAG: {
-        const double t = double(Fl::event_x() - x() - layout().knob() / 2) / std::max(1, w() - layout().knob());
-        slide_to(minimum() + std::clamp(t, 0.0, 1.0) * (maximum() - minimum()));
+    case FL_DRAG:
+        slide_to(under_pointer());
         return 1;
-    }
     case FL_RELEASE:
+        slide_to(under_pointer()); // the last move may have come together with the release, and then there was no drag
         if (on_release) on_release();
         return 1;
     case FL_MOUSEWHEEL:

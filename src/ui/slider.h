@@ -30,6 +30,7 @@ protected:
 
 private:
     int knob_x(double value) const;
+    double under_pointer() const;
     void slide_to(double wanted);
     void go(double steps);
 
