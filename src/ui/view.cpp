@@ -320,6 +320,14 @@ void View::hover(const Pointer& pointer)
     show_hovered(box_next_ || on_gizmo ? std::nullopt : tool().under(p));
 }
 
+void View::hold_shift(bool down)
+{
+    if (!pointer_ || gesture_ || pointer_->shift == down) return;
+    Pointer p = *pointer_;
+    p.shift = down;
+    hover(p);
+}
+
 void View::leave()
 {
     pointer_.reset();

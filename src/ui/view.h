@@ -73,6 +73,8 @@ public:
     void release(const Pointer& pointer);
     void hover(const Pointer& pointer);
     void leave();
+    /// The Shift key went down or up, with the pointer where it is.
+    void hold_shift(bool down);
     void wheel(double notches, const Pointer& pointer);
     /// Something is carried over the view with the button held since a press elsewhere: `tool` acts where drag() and release() end.
     void carry(std::unique_ptr<Tool> tool, const Pointer& pointer);

@@ -142,6 +142,10 @@ int Viewport::handle(int event)
     case FL_MOUSEWHEEL: view_.wheel(Fl::event_dy(), pointer()); return 1;
     case FL_FOCUS:
     case FL_UNFOCUS: return 1;
+    case FL_KEYDOWN:
+    case FL_KEYUP:
+        if (Fl::event_key() == FL_Shift_L || Fl::event_key() == FL_Shift_R) view_.hold_shift(event == FL_KEYDOWN);
+        return Fl_Gl_Window::handle(event);
     case FL_DND_ENTER:
     case FL_DND_DRAG:
     case FL_DND_LEAVE: return 1;

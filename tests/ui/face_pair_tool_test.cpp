@@ -65,6 +65,19 @@ TEST_F(FacePair, WithShiftTheNearestCornersAreJoined)
     EXPECT_EQ(last_step(), expected);
 }
 
+TEST_F(FacePair, ShiftAloneShowsTheNearestCorner)
+{
+    from_top();
+    click(200, 200);
+    from_below();
+    view.hover(at(250, 250, 0));
+    EXPECT_TRUE(view.overlay().vertices.empty());
+    view.hold_shift(true);
+    EXPECT_EQ(view.overlay().vertices.size(), 1u);
+    view.hold_shift(false);
+    EXPECT_TRUE(view.overlay().vertices.empty());
+}
+
 TEST_F(FacePair, EscapeDropsTheFirstFace)
 {
     from_top();
