@@ -29,18 +29,6 @@ Mesh facing_polygons(int n, int m, double turn = 0)
     return mesh;
 }
 
-std::vector<std::string> notes(Scene& scene, std::string_view name, const Arguments& arguments)
-{
-    const Operator& op = ops_registry().get(name);
-    const auto parameters = op.make();
-    for (const auto& [key, value] : arguments) op.find(key)->set(parameters.get(), value);
-    Progress progress;
-    Context context{.progress = progress};
-    op.run(scene, parameters.get(), context);
-    settle(scene);
-    return context.notes;
-}
-
 std::map<int, std::uint32_t> selected_by_sides(const Scene& scene)
 {
     std::map<int, std::uint32_t> count;

@@ -22,18 +22,6 @@ Mesh scaled(Mesh mesh, const Vector& factor)
     return mesh;
 }
 
-std::vector<std::string> notes(Scene& scene, const char* name, const Arguments& arguments)
-{
-    const Operator& op = ops_registry().get(name);
-    const auto parameters = op.make();
-    for (const auto& [key, value] : arguments) op.find(key)->set(parameters.get(), value);
-    Progress progress;
-    Context context{.progress = progress};
-    op.run(scene, parameters.get(), context);
-    settle(scene);
-    return context.notes;
-}
-
 // --- thickness --------------------------------------------------------------------------------------------------------------------
 
 /// The least and the largest thickness of the walls of a crust: how far the corners of a copy lie below the plane of its face.

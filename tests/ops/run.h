@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,7 @@ inline const Registry& ops_registry()
 struct Said {
     std::string output;
     bool failed = false;
+    std::vector<std::string> notes;
 };
 
 /// Runs an operator with the given parameters, and closes the holes it leaves, as a document does.
@@ -50,7 +52,12 @@ inline Said run(Scene& scene, std::string_view name, const std::vector<std::pair
     Context context{.progress = progress};
     op.run(scene, parameters.get(), context);
     settle(scene);
-    return {context.output, context.failed};
+    return {context.output, context.failed, context.notes};
+}
+
+inline std::vector<std::string> notes(Scene& scene, std::string_view name, const std::vector<std::pair<std::string, std::string>>& arguments)
+{
+    return run(scene, name, arguments).notes;
 }
 
 inline Scene scene_of(Mesh mesh)

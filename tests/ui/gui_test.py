@@ -152,6 +152,16 @@ class Window:
         self.picture("dialog-" + title.lower().replace(" ", "-"))
         self.keys("Return")
 
+    def export_save_and_close(self, folder):
+        """Leaves the mesh in window.obj and its history in history.druse."""
+        self.keys("ctrl+e")
+        self.answer_file_dialog("Export", folder / "window.obj", "colored_cube.stl")
+        self.wait("exported")
+        self.keys("ctrl+shift+s")
+        self.answer_file_dialog("Save as", folder / "history.druse", "colored_cube.obj")
+        self.wait("saved " + str(folder / "history.druse"))
+        self.close()
+
     def close(self):
         if self.alive():
             self.process.terminate()
@@ -377,13 +387,7 @@ def solids(druse, folder, pictures):
     window.click(TOP_FACE)
     window.wait("applied face.start faces=38")
     window.picture("8-start-corner")
-    window.keys("ctrl+e")
-    window.answer_file_dialog("Export", folder / "window.obj", "colored_cube.stl")
-    window.wait("exported")
-    window.keys("ctrl+shift+s")
-    window.answer_file_dialog("Save as", folder / "history.druse", "colored_cube.obj")
-    window.wait("saved " + str(folder / "history.druse"))
-    window.close()
+    window.export_save_and_close(folder)
 
     script = (folder / "history.druse").read_text().splitlines()
     check(len(script) == 3 and script[1].startswith("extrude.solid solid=dodecahedron heights=1,"), f"one extrusion should be recorded: {script}")
@@ -473,13 +477,7 @@ def groups(druse, folder, pictures):
     window.wait("applied group.assign")
     window.picture("10-painted")
 
-    window.keys("ctrl+e")
-    window.answer_file_dialog("Export", folder / "window.obj", "colored_cube.stl")
-    window.wait("exported")
-    window.keys("ctrl+shift+s")
-    window.answer_file_dialog("Save as", folder / "history.druse", "colored_cube.obj")
-    window.wait("saved " + str(folder / "history.druse"))
-    window.close()
+    window.export_save_and_close(folder)
 
     script = (folder / "history.druse").read_text().splitlines()
     steps = [line for line in script[1:] if not line.startswith("make.")]
