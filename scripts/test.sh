@@ -7,4 +7,4 @@ preset=release
 [[ ${1:-} == --sanitize ]] && preset=asan
 build "$preset"
 # Tests of widgets need a display, also those that show nothing.
-xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp" ctest --preset "$preset" -j "$(nproc)" --output-on-failure
+tests/ui/on_display.sh ctest --preset "$preset" -j "$(nproc)" --output-on-failure
