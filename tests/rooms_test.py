@@ -8,12 +8,13 @@ import sys
 MAY_INCLUDE = {
     "geom": [],
     "dlfl": ["geom"],
-    "ops": ["dlfl", "geom"],
-    "io": ["dlfl", "geom"],
-    "app": ["ops", "io", "dlfl", "geom"],
-    "render": ["dlfl", "geom"],
-    "ui": ["app", "render", "ops", "io", "dlfl", "geom"],
-    "cli": ["ui", "app", "render", "ops", "io", "dlfl", "geom"],
+    "graph": ["dlfl", "geom"],
+    "ops": ["graph", "dlfl", "geom"],
+    "io": ["graph", "dlfl", "geom"],
+    "app": ["ops", "io", "graph", "dlfl", "geom"],
+    "render": ["graph", "dlfl", "geom"],
+    "ui": ["app", "render", "ops", "io", "graph", "dlfl", "geom"],
+    "cli": ["ui", "app", "render", "ops", "io", "graph", "dlfl", "geom"],
 }
 
 # Libraries that belong to some rooms only.

@@ -1,8 +1,8 @@
 #include "app/info.h"
 
-#include "app/graph_facts.h"
 #include "app/padded.h"
 #include "dlfl/measures.h"
+#include "graph/graph_facts.h"
 #include "ops/selector.h"
 #include "ops/text.h"
 

@@ -3,7 +3,7 @@
 #include "dlfl/group_table.h"
 #include "dlfl/mesh.h"
 #include "dlfl/rind.h"
-#include "geom/graph.h"
+#include "graph/graph.h"
 
 #include <optional>
 #include <string>

@@ -4,7 +4,7 @@
 #include "dlfl/mesh.h"
 #include "dlfl/triangulate.h"
 #include "geom/colour.h"
-#include "geom/graph.h"
+#include "graph/graph.h"
 #include "render/mesh_delta.h"
 
 #include <array>

@@ -1,8 +1,8 @@
 #include "app/info.h"
 
 #include "app/documents.h"
-#include "app/graph_facts.h"
 #include "app/registry.h"
+#include "graph/graph_facts.h"
 #include "support/shapes.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geom/graph.h"
 #include "geom/point.h"
+#include "graph/graph.h"
 
 #include <cstdint>
 #include <map>

@@ -1,4 +1,4 @@
-#include "app/graph_facts.h"
+#include "graph/graph_facts.h"
 
 #include <algorithm>
 #include <cmath>
