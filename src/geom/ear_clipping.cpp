@@ -9,7 +9,7 @@ namespace druse {
 
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
+using Ear = std::array<std::uint32_t, 3>;
 
 /// Twice the signed area of a triangle: positive if it runs counter-clockwise.
 double cross(const Point2& a, const Point2& b, const Point2& c)
@@ -48,7 +48,7 @@ bool is_strictly_convex(std::span<const Point2> polygon, double turn)
 }
 
 /// Cuts off every other corner until three are left.
-void cut_in_rings(std::uint32_t n, std::vector<Triangle>& triangles)
+void cut_in_rings(std::uint32_t n, std::vector<Ear>& triangles)
 {
     for (std::uint32_t step = 1; step < n; step *= 2) // the ring of this round is 0, step, 2 · step, … below n
         for (std::uint32_t i = 0; i + step < n; i += 2 * step) {
@@ -59,7 +59,7 @@ void cut_in_rings(std::uint32_t n, std::vector<Triangle>& triangles)
 
 class EarClipper {
 public:
-    EarClipper(std::span<const Point2> polygon, double turn, std::vector<Triangle>& triangles);
+    EarClipper(std::span<const Point2> polygon, double turn, std::vector<Ear>& triangles);
     void clip();
 
 private:
@@ -120,10 +120,10 @@ private:
     std::uint32_t columns_ = 1, rows_ = 1;
     Point2 origin_{0.0};
     double cells_per_unit_ = 0;
-    std::vector<Triangle>& triangles_;
+    std::vector<Ear>& triangles_;
 };
 
-EarClipper::EarClipper(std::span<const Point2> polygon, double turn, std::vector<Triangle>& triangles) : triangles_(triangles)
+EarClipper::EarClipper(std::span<const Point2> polygon, double turn, std::vector<Ear>& triangles) : triangles_(triangles)
 {
     const auto n = static_cast<std::uint32_t>(polygon.size());
     nodes_.resize(n);
@@ -318,7 +318,7 @@ void EarClipper::clip()
 
 } // namespace
 
-void clip_ears(std::span<const Point2> polygon, std::vector<Triangle>& triangles)
+void clip_ears(std::span<const Point2> polygon, std::vector<Ear>& triangles)
 {
     triangles.clear();
     if (polygon.size() < 3) return;

@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "dlfl/mesh_assembler.h"
+#include "geom/sort_unique.h"
 #include "io/face_colours.h"
 #include "io/limits.h"
 #include "io/scan.h"
@@ -235,8 +236,7 @@ Model DlflReader::read()
 /// The pairs by the ids that faces have in the mesh: those that stand for an open boundary have none.
 Rind DlflReader::make_rind(const Mesh& mesh, std::uint32_t faces_in_file)
 {
-    std::ranges::sort(open_);
-    open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
+    sort_unique(open_);
     std::vector<bool> paired(mesh.face_limit(), false);
     std::vector<Rind::Pair> pairs;
     for (auto [pair, line] : rind_) {

@@ -1,6 +1,7 @@
 #include "io/group_materials.h"
 
 #include "dlfl/errors.h"
+#include "geom/sort_unique.h"
 #include "io/materials.h"
 
 #include <algorithm>
@@ -12,8 +13,7 @@ std::vector<int> groups_in_use(const Mesh& mesh)
     std::vector<int> used;
     for (const int id : mesh.groups())
         if (used.empty() || used.back() != id) used.push_back(id);
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
+    sort_unique(used);
     if (used.size() == 1 && used[0] == 0) used.clear();
     return used;
 }

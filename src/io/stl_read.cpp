@@ -22,8 +22,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL is read as it lies in memory");
 
-constexpr std::size_t header_size = 84, record_size = 50;
-
 bool equal_ignoring_case(std::string_view text, std::string_view lower_case)
 {
     return std::equal(text.begin(), text.end(), lower_case.begin(), lower_case.end(),
@@ -41,7 +39,7 @@ std::uint32_t promised_triangles(std::string_view head)
 bool is_ascii(ByteSource& source)
 {
     std::string_view head = source.head(512);
-    if (head.size() >= header_size && source.size() == header_size + record_size * std::uint64_t(promised_triangles(head)))
+    if (head.size() >= stl_header_size && source.size() == stl_header_size + stl_record_size * std::uint64_t(promised_triangles(head)))
         return false;
     if (head.find('\0') != std::string_view::npos) return false;
     while (!head.empty() && (head.front() == '\n' || scan::is_blank(head.front()))) head.remove_prefix(1);
@@ -94,17 +92,17 @@ void StlReader::end_facet()
 
 void StlReader::read_binary()
 {
-    char header[header_size];
-    if (source_.read(header, header_size) < header_size)
+    char header[stl_header_size];
+    if (source_.read(header, stl_header_size) < stl_header_size)
         throw InputError(source_.name(), "is no STL file: shorter than the header of one");
-    const std::uint32_t promised = promised_triangles({header, header_size});
+    const std::uint32_t promised = promised_triangles({header, stl_header_size});
 
-    constexpr std::size_t block = 20000 * record_size;
+    constexpr std::size_t block = 20000 * stl_record_size;
     const auto buffer = std::make_unique_for_overwrite<char[]>(block);
     for (std::uint32_t done = 0; done < promised;) {
-        const std::size_t wanted = std::min<std::size_t>(block, (promised - done) * record_size);
+        const std::size_t wanted = std::min<std::size_t>(block, (promised - done) * stl_record_size);
         const std::size_t there = source_.read(buffer.get(), wanted);
-        for (std::size_t at = 0; at + record_size <= there; at += record_size) {
+        for (std::size_t at = 0; at + stl_record_size <= there; at += stl_record_size) {
             ++done;
             float place[9];
             std::memcpy(place, buffer.get() + at + 12, sizeof place);

@@ -67,11 +67,11 @@ void StlWriter::fail_too_far(Corner c) const
 
 inline void StlWriter::put_binary(const Facet& facet)
 {
-    constexpr std::size_t record_size = sizeof facet + 2;
-    char* const record = out_.main().room(record_size);
+    static_assert(sizeof facet + 2 == stl_record_size);
+    char* const record = out_.main().room(stl_record_size);
     std::memcpy(record, facet.data(), sizeof facet);
     record[48] = record[49] = 0;
-    out_.main().use(record_size);
+    out_.main().use(stl_record_size);
 }
 
 void StlWriter::put_ascii(const Facet& facet)
@@ -122,7 +122,7 @@ void StlWriter::write()
         sink.put("endsolid druse\n");
         return;
     }
-    std::array<char, 84> header{};
+    std::array<char, stl_header_size> header{};
     constexpr std::string_view title = "Druse, binary STL"; // `solid` here would make it ASCII to some readers
     std::memcpy(header.data(), title.data(), title.size());
     sink.put(std::string_view(header.data(), header.size()));

@@ -1,6 +1,7 @@
 #include "ops/extrude.h"
 
 #include "dlfl/errors.h"
+#include "geom/sort_unique.h"
 #include "ops/registry.h"
 
 #include <fmt/format.h>
@@ -20,8 +21,7 @@ std::vector<Face> collect_faces(const Scene& scene, const ExtrusionScope& scope)
     for (const Face f : faces)
         if (const int g = scene.mesh.group(f); g != 0 && (groups.empty() || groups.back() != g)) groups.push_back(g);
     if (groups.empty()) return faces;
-    std::ranges::sort(groups);
-    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+    sort_unique(groups);
     std::vector<Face> all;
     std::size_t at = 0;
     for (const Face f : scene.mesh.faces()) {

@@ -3,6 +3,7 @@
 
 #include "dlfl/errors.h"
 #include "dlfl/measures.h"
+#include "geom/sort_unique.h"
 #include "ops/direction_grid.h"
 #include "ops/registry.h"
 
@@ -39,8 +40,7 @@ std::vector<int> existing_groups(const Mesh& mesh, bool with_ungrouped)
     std::vector<int> ids;
     for (const std::int32_t g : mesh.groups())
         if ((g > 0 || with_ungrouped) && (ids.empty() || ids.back() != g)) ids.push_back(g);
-    std::ranges::sort(ids);
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    sort_unique(ids);
     return ids;
 }
 
@@ -49,8 +49,7 @@ std::vector<int> resolve_groups(const Mesh& mesh, const OrWord<std::vector<int>>
     std::vector<int> there = existing_groups(mesh, ids.word.empty());
     if (!ids.word.empty()) return there;
     std::vector<int> asked = ids.value;
-    std::ranges::sort(asked);
-    asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
+    sort_unique(asked);
     for (const int id : asked)
         if (!std::ranges::binary_search(there, id)) no_such_group(id);
     return asked;
@@ -128,8 +127,7 @@ void group_by_sides(Mesh& mesh, int start)
     std::vector<int> sides(mesh.face_limit());
     for (const Face f : mesh.faces()) sides[f.index] = mesh.valence(f);
     std::vector<int> distinct = sides;
-    std::ranges::sort(distinct);
-    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+    sort_unique(distinct);
     std::vector<std::uint32_t> key(sides.size());
     for (std::size_t f = 0; f < key.size(); ++f)
         key[f] = static_cast<std::uint32_t>(std::ranges::lower_bound(distinct, sides[f]) - distinct.begin());

@@ -1,6 +1,7 @@
 #include "ops/pipe_pairing.h"
 
 #include "dlfl/errors.h"
+#include "geom/infinity.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,6 @@ namespace druse {
 namespace {
 
 constexpr double tie = 1e-9; // sums that differ relatively by less are the same
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double squared(const Vector& v) { return glm::dot(v, v); }
 

@@ -10,7 +10,7 @@ namespace {
 
 using namespace remesh;
 
-double weight_of_neighbours(int m)
+double weight_of_loop_neighbours(int m)
 {
     const double x = 0.375 + 0.25 * turn(1, m).x;
     return 0.625 - x * x;
@@ -42,7 +42,7 @@ void Loop::place(const OldMesh& old, const NewPoints& to, Progress& progress) co
         for (std::uint32_t c = begin; c < end; ++c)
             to.edge_point[old.edge(c)] += 0.375 * old.position(c) + (0.125 / double(n - 2)) * (sum - old.position(c) - old.position(old.on(c)));
     });
-    write_relaxed_vertices(old, weight_of_neighbours, to.old_vertex);
+    write_relaxed_vertices(old, weight_of_loop_neighbours, to.old_vertex);
 }
 
 void add_remesh_loop(Registry& registry)

@@ -10,7 +10,7 @@ namespace {
 
 using namespace remesh;
 
-double weight_of_neighbours(int m) { return (4.0 - 2.0 * turn(1, m).x) / 9.0; }
+double weight_of_root_neighbours(int m) { return (4.0 - 2.0 * turn(1, m).x) / 9.0; }
 
 /// Two triangles over each edge, each between one of its ends and points in both its faces: V + F vertices, 3E edges, 2E faces.
 /// Smoothing moves a vertex of valence m the fraction (4 − 2 cos(2π/m))/9 of the way to the mean of its neighbours; without it this is
@@ -27,7 +27,7 @@ struct Root3 {
     void place(const OldMesh& old, const NewPoints& to, Progress& progress) const
     {
         write_face_means(old, to.face_point, progress);
-        if (smooth) write_relaxed_vertices(old, weight_of_neighbours, to.old_vertex);
+        if (smooth) write_relaxed_vertices(old, weight_of_root_neighbours, to.old_vertex);
         else write_old_vertices(old, to.old_vertex);
     }
 };

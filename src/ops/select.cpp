@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "dlfl/measures.h"
+#include "geom/sort_unique.h"
 #include "ops/direction_grid.h"
 #include "ops/group.h"
 #include "ops/registry.h"
@@ -67,13 +68,6 @@ std::vector<H> grow_by(const Mesh& mesh, const std::vector<H>& list, int steps, 
     return marked<H>(in);
 }
 
-template <class H>
-void sort_out(std::vector<H>& list)
-{
-    std::ranges::sort(list);
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
 } // namespace
 
 std::vector<Face> grow(const Mesh& mesh, const std::vector<Face>& faces, int steps, Progress& progress)
@@ -132,7 +126,7 @@ std::vector<Edge> edge_loop(const Mesh& mesh, Edge e)
         for (; c.valid() && c != first; c = straight_on(c)) loop.push_back(mesh.edge(c));
         if (c.valid()) break; // it closed: the other way meets the same edges
     }
-    sort_out(loop);
+    sort_unique(loop);
     return loop;
 }
 
@@ -155,8 +149,8 @@ Ring edge_ring(const Mesh& mesh, Edge e)
         } while (c != first);
         if (c.valid()) break;
     }
-    sort_out(ring.edges);
-    sort_out(ring.faces);
+    sort_unique(ring.edges);
+    sort_unique(ring.faces);
     return ring;
 }
 

@@ -14,7 +14,7 @@ namespace druse {
 
 namespace {
 
-using Kind = SelectorTerm::Kind;
+using TermKind = SelectorTerm::Kind;
 
 template <class H>
 constexpr bool is_face = std::is_same_v<H, Face>;
@@ -33,36 +33,36 @@ template <class H>
 SelectorTerm parse_term(std::string_view text)
 {
     SelectorTerm term;
-    if (text == "all") term.kind = Kind::all;
-    else if (text == "none") term.kind = Kind::none;
-    else if (text == "selected") term.kind = Kind::selected;
+    if (text == "all") term.kind = TermKind::all;
+    else if (text == "none") term.kind = TermKind::none;
+    else if (text == "selected") term.kind = TermKind::selected;
     else if (const auto colon = text.find(':'); colon != std::string_view::npos) {
         const std::string_view key = text.substr(0, colon), value = text.substr(colon + 1);
         if (is_face<H> && key == "normal") {
             const auto pieces = split(value, ',');
             if (pieces.size() != 4) throw CommandError(grammar<H>);
-            term.kind = Kind::normal;
+            term.kind = TermKind::normal;
             term.direction = {parse_number(pieces[0]), parse_number(pieces[1]), parse_number(pieces[2])};
             term.angle = parse_number(pieces[3]);
             if (direction(term.direction) == Vector(0.0) || term.angle < 0.0 || term.angle > 180.0)
                 throw CommandError("expected normal:x,y,z,angle with a direction and an angle of 0 to 180 degrees");
             return term;
         }
-        if (is_face<H> && key == "group") term.kind = Kind::group;
-        else if (is_face<H> && key == "sides") term.kind = Kind::sides;
-        else if (is_face<H> && key == "component") term.kind = Kind::component;
-        else if (!is_face<H> && !is_edge<H> && key == "valence") term.kind = Kind::valence;
+        if (is_face<H> && key == "group") term.kind = TermKind::group;
+        else if (is_face<H> && key == "sides") term.kind = TermKind::sides;
+        else if (is_face<H> && key == "component") term.kind = TermKind::component;
+        else if (!is_face<H> && !is_edge<H> && key == "valence") term.kind = TermKind::valence;
         else throw CommandError(grammar<H>);
         term.number = parse_id(value);
     } else if (const auto tilde = text.find('~'); is_edge<H> && tilde != std::string_view::npos) {
-        term.kind = Kind::ends;
+        term.kind = TermKind::ends;
         for (const std::string_view piece : split(text, ',')) {
             const auto at = piece.find('~');
             if (at == std::string_view::npos) throw CommandError(grammar<H>);
             term.ids.push_back({parse_id(piece.substr(0, at)), parse_id(piece.substr(at + 1))});
         }
     } else {
-        term.kind = Kind::ids;
+        term.kind = TermKind::ids;
         if (text.empty()) throw CommandError(grammar<H>);
         for (const std::string_view piece : split(text, ',')) {
             const auto dash = piece.find('-');
@@ -87,16 +87,16 @@ std::string term_text(const SelectorTerm& term)
         return text;
     };
     switch (term.kind) {
-    case Kind::all: return "all";
-    case Kind::none: return "none";
-    case Kind::selected: return "selected";
-    case Kind::ids: return ids('-');
-    case Kind::ends: return ids('~');
-    case Kind::group: return fmt::format("group:{}", term.number);
-    case Kind::sides: return fmt::format("sides:{}", term.number);
-    case Kind::component: return fmt::format("component:{}", term.number);
-    case Kind::valence: return fmt::format("valence:{}", term.number);
-    case Kind::normal:
+    case TermKind::all: return "all";
+    case TermKind::none: return "none";
+    case TermKind::selected: return "selected";
+    case TermKind::ids: return ids('-');
+    case TermKind::ends: return ids('~');
+    case TermKind::group: return fmt::format("group:{}", term.number);
+    case TermKind::sides: return fmt::format("sides:{}", term.number);
+    case TermKind::component: return fmt::format("component:{}", term.number);
+    case TermKind::valence: return fmt::format("valence:{}", term.number);
+    case TermKind::normal:
         return fmt::format("normal:{},{},{},{}", number_text(term.direction.x), number_text(term.direction.y), number_text(term.direction.z),
                            number_text(term.angle));
     }
@@ -148,15 +148,15 @@ void add_term(const Scene& scene, const SelectorTerm& term, std::vector<H>& resu
 {
     const Mesh& mesh = scene.mesh;
     switch (term.kind) {
-    case Kind::all: add_where(mesh, result, [](H) { return true; }); return;
-    case Kind::none: return;
-    case Kind::selected: {
+    case TermKind::all: add_where(mesh, result, [](H) { return true; }); return;
+    case TermKind::none: return;
+    case TermKind::selected: {
         const auto& list = selected<H>(*scene.selection);
         if (list.empty()) throw CommandError(fmt::format("no {} are selected", many<H>));
         result.insert(result.end(), list.begin(), list.end());
         return;
     }
-    case Kind::ids: {
+    case TermKind::ids: {
         for (const auto& [first, last] : term.ids)
             if (last >= count<H>(mesh)) not_there<H>(std::max(first, count<H>(mesh)), count<H>(mesh));
         std::vector<SelectorTerm::Range> ranges = term.ids;
@@ -168,7 +168,7 @@ void add_term(const Scene& scene, const SelectorTerm& term, std::vector<H>& resu
         }
         return;
     }
-    case Kind::ends:
+    case TermKind::ends:
         if constexpr (is_edge<H>)
             for (const auto& [a, b] : term.ids) result.push_back(edge_between(mesh, a, b));
         return;
@@ -176,12 +176,12 @@ void add_term(const Scene& scene, const SelectorTerm& term, std::vector<H>& resu
     }
     if constexpr (is_face<H>) {
         const std::size_t before = result.size();
-        if (term.kind == Kind::group) {
+        if (term.kind == TermKind::group) {
             add_where(mesh, result, [&](Face f) { return mesh.group(f) == term.number; });
             if (result.size() == before) throw CommandError(fmt::format("no face has group {}", term.number));
-        } else if (term.kind == Kind::sides) {
+        } else if (term.kind == TermKind::sides) {
             add_where(mesh, result, [&](Face f) { return mesh.valence(f) == term.number; });
-        } else if (term.kind == Kind::component) {
+        } else if (term.kind == TermKind::component) {
             const Components parts = components(mesh);
             if (std::size_t(term.number) >= parts.parts.size())
                 throw CommandError(fmt::format("there is no component {}: the mesh has {}", term.number, parts.parts.size()));
@@ -240,7 +240,7 @@ Selector<H> Selector<H>::of(const std::vector<H>& handles)
     if (handles.empty()) return none();
     Selector result;
     SelectorTerm& term = result.terms_[0];
-    term.kind = Kind::ids;
+    term.kind = TermKind::ids;
     for (const H h : handles) {
         if (!term.ids.empty() && term.ids.back().last + 1 == h.index) term.ids.back().last = h.index;
         else term.ids.push_back({h.index, h.index});

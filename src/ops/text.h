@@ -14,6 +14,9 @@ double parse_number(std::string_view text);
 long long parse_integer(std::string_view text);
 std::uint32_t parse_id(std::string_view text);
 
+/// `text` with the letters A to Z made small.
+std::string lower_case(std::string text);
+
 /// The pieces between separators; an empty text has none, a leading or trailing separator gives an empty piece.
 std::vector<std::string_view> split(std::string_view text, char separator);
 

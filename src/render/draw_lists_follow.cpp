@@ -1,20 +1,14 @@
 #include "render/draw_lists.h"
 
+#include "geom/sort_unique.h"
 #include "render/palette.h"
 
-#include <algorithm>
 
 namespace druse {
 
 namespace {
 
-constexpr std::uint32_t slack = 4096; // elements left behind that a small mesh may have
-
-template <class T> void sort_out(std::vector<T>& list)
-{
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-}
+constexpr std::uint32_t left_over = 4096; // elements left behind that a small mesh may have
 
 } // namespace
 
@@ -23,7 +17,7 @@ void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColo
     const std::uint32_t known_faces = face_triangles_.size();
     const std::size_t dead = triangles_.size() - live_triangles_;
     const bool crowded =
-        dead > live_triangles_ / 2 + slack || draw_vertices_.size() > 2 * (live_triangles_ + mesh.vertex_limit()) + slack;
+        dead > live_triangles_ / 2 + left_over || draw_vertices_.size() > 2 * (live_triangles_ + mesh.vertex_limit()) + left_over;
     const bool much =
         delta.whole || delta.faces.size() + delta.vertices.size() > (mesh.face_limit() + mesh.vertex_limit()) / 4 + 64;
     if (id_ == 0 || much || crowded || (live_triangles_ == 0 && mesh.face_count() > 0)) {
@@ -48,10 +42,10 @@ void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColo
             if (mesh.edge(c).valid()) edges.push_back(mesh.edge(c));
         }
     }
-    sort_out(faces);
+    sort_unique(faces);
     for (std::uint32_t i = mesh.edge_limit(); i < edge_ends_.size(); ++i) edges.push_back(Edge(i));
     for (std::uint32_t i = edge_ends_.size(); i < mesh.edge_limit(); ++i) edges.push_back(Edge(i));
-    sort_out(edges);
+    sort_unique(edges);
     for (const Edge e : edges)
         if (e.index < edge_ends_.size()) edge_sum_ -= length(e);
 
@@ -111,7 +105,7 @@ void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColo
     mean_edge_ = mesh.edge_count() > 0 ? edge_sum_ / mesh.edge_count() : 0.0;
     take_boundary(mesh);
 
-    sort_out(blocks);
+    sort_unique(blocks);
     for (const std::uint32_t block : blocks) renew_box(block);
     renew_bounds();
     // Where the model has moved far from what its single precision places are relative to, they are taken anew.

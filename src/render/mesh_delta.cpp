@@ -1,5 +1,7 @@
 #include "render/mesh_delta.h"
 
+#include "geom/sort_unique.h"
+
 #include <algorithm>
 
 namespace druse {
@@ -18,12 +20,6 @@ void compare(const ColumnChange<T>& change, std::uint32_t limit, Value&& value, 
             if (!(change.contents[at] == value(i))) differs(i);
     }
     for (std::uint32_t i = change.common; i < limit; ++i) differs(i);
-}
-
-template <class H> void sort_out(std::vector<H>& handles)
-{
-    std::sort(handles.begin(), handles.end());
-    handles.erase(std::unique(handles.begin(), handles.end()), handles.end());
 }
 
 } // namespace
@@ -70,8 +66,8 @@ MeshDelta difference(const Mesh& now, const MeshChange& other)
         other.vertex_position, now.vertex_limit(), [&](std::uint32_t i) { return now.position(Vertex(i)); },
         [&](std::uint32_t i) { delta.vertices.push_back(Vertex(i)); });
 
-    sort_out(delta.faces);
-    sort_out(delta.edges);
+    sort_unique(delta.faces);
+    sort_unique(delta.edges);
     return delta;
 }
 

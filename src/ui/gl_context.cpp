@@ -13,9 +13,9 @@ namespace druse::ui {
 namespace {
 
 /// A context that is refused is an X error as well as a null pointer.
-int keep_quiet(Display*, XErrorEvent*) { return 0; }
+int keep_quiet(::Display*, XErrorEvent*) { return 0; }
 
-GLXContext core_context(Display* display, int screen, VisualID visual)
+GLXContext core_context(::Display* display, int screen, VisualID visual)
 {
     const auto create = reinterpret_cast<PFNGLXCREATECONTEXTATTRIBSARBPROC>(
         glXGetProcAddressARB(reinterpret_cast<const GLubyte*>("glXCreateContextAttribsARB")));

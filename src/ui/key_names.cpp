@@ -17,8 +17,8 @@ constexpr std::pair<int, const char*> names[] = {
     {'+', "Plus"},               {FL_KP_Enter, "KpEnter"},
 };
 
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 } // namespace
 
@@ -33,7 +33,7 @@ std::string key_text(Key key)
     if (key.key > FL_KP && key.key <= FL_KP_Last) return text.append("Kp").append(1, static_cast<char>(key.key - FL_KP));
     if (key.key <= ' ' || key.key >= 127) return {};
     const char c = static_cast<char>(key.key);
-    return text.append(1, text.empty() ? c : upper(c));
+    return text.append(1, text.empty() ? c : capital(c));
 }
 
 std::optional<Key> key_from_text(std::string_view text)
@@ -53,7 +53,7 @@ std::optional<Key> key_from_text(std::string_view text)
     for (const auto& [code, name] : names)
         if (text == name) key.key = code;
     if (key.key != 0) return key;
-    if (text.size() == 1 && text[0] > ' ' && text[0] < 127) key.key = lower(text[0]);
+    if (text.size() == 1 && text[0] > ' ' && text[0] < 127) key.key = small(text[0]);
     else if (text.size() == 3 && text.starts_with("Kp")) key.key = FL_KP + text[2];
     else if (text.size() > 1 && text[0] == 'F') {
         int number = 0;

@@ -14,18 +14,18 @@ namespace druse::ui {
 
 namespace {
 
-std::string lower(std::string text)
+/// As operators are searched for: in small letters, words apart.
+std::string searchable(std::string text)
 {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    text = lower_case(std::move(text));
     std::replace(text.begin(), text.end(), '_', ' ');
     return text;
 }
 
 bool matches(const Operator& op, const std::string& wanted)
 {
-    if (lower(op.name).find(wanted) != std::string::npos || lower(op.help).find(wanted) != std::string::npos) return true;
-    return std::any_of(op.aliases.begin(), op.aliases.end(), [&](const std::string& a) { return lower(a).find(wanted) != std::string::npos; });
+    if (searchable(op.name).find(wanted) != std::string::npos || searchable(op.help).find(wanted) != std::string::npos) return true;
+    return std::any_of(op.aliases.begin(), op.aliases.end(), [&](const std::string& a) { return searchable(a).find(wanted) != std::string::npos; });
 }
 
 } // namespace
@@ -49,7 +49,7 @@ OperatorTree::OperatorTree(Session& session, Pictures& pictures, int x, int y, i
     search_.callback([](Fl_Widget*, void* p) {
         auto* tree = static_cast<OperatorTree*>(p);
         const bool enter = Fl::event() == FL_KEYBOARD && (Fl::event_key() == FL_Enter || Fl::event_key() == FL_KP_Enter);
-        tree->looked_for_ = lower(tree->search_.value());
+        tree->looked_for_ = searchable(tree->search_.value());
         tree->fill();
         if (enter) tree->list_.choose_first();
     }, this);
@@ -192,7 +192,7 @@ void OperatorTree::List::choose_first()
     for (const Row& r : tree_.rows_) {
         if (!r.op) continue;
         if (!first) first = r.op;
-        if (lower(r.op->name).find(tree_.looked_for_) == std::string::npos) continue;
+        if (searchable(r.op->name).find(tree_.looked_for_) == std::string::npos) continue;
         first = r.op;
         break;
     }

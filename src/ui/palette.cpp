@@ -15,13 +15,6 @@ namespace druse::ui {
 
 namespace {
 
-std::string lower(std::string text)
-{
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
-
 std::vector<PaletteEntry> entries_of(MainWindow& window)
 {
     std::vector<PaletteEntry> list;
@@ -125,7 +118,7 @@ private:
 
 std::vector<const PaletteEntry*> find_entries(const std::vector<PaletteEntry>& entries, const std::string& wanted)
 {
-    std::string text = lower(wanted);
+    std::string text = lower_case(wanted);
     std::replace_if(text.begin(), text.end(), [](char c) { return c == '_' || c == '.' || c == '-'; }, ' ');
     std::vector<std::string> words;
     for (std::size_t at = 0; at < text.size();) {
@@ -135,7 +128,7 @@ std::vector<const PaletteEntry*> find_entries(const std::vector<PaletteEntry>& e
     }
     std::vector<const PaletteEntry*> first, later;
     for (const PaletteEntry& entry : entries) {
-        const std::string label = lower(entry.label), all = label + " " + lower(entry.detail);
+        const std::string label = lower_case(entry.label), all = label + " " + lower_case(entry.detail);
         if (!std::all_of(words.begin(), words.end(), [&](const std::string& word) { return all.find(word) != std::string::npos; })) continue;
         const bool begins = !words.empty() && (label.starts_with(words[0]) || label.find("." + words[0]) != std::string::npos);
         (begins ? first : later).push_back(&entry);
