@@ -9,6 +9,7 @@ MAY_INCLUDE = {
     "geom": [],
     "dlfl": ["geom"],
     "graph": ["dlfl", "geom"],
+    "tile": ["dlfl", "geom"],
     "ops": ["graph", "dlfl", "geom"],
     "io": ["graph", "dlfl", "geom"],
     "app": ["ops", "io", "graph", "dlfl", "geom"],
