@@ -16,7 +16,10 @@ std::size_t bytes(const GroupTable&) { return 0; } // a few entries at most
 std::size_t bytes(const Source& source)
 {
     const Graph* graph = std::get_if<Graph>(&source);
-    return graph ? graph->vertices.size() * sizeof(Point) + graph->edges.size() * sizeof(graph->edges[0]) : 0;
+    if (!graph) return 0;
+    const StrutTable& struts = graph->struts;
+    return graph->vertices.size() * sizeof(Point) + graph->edges.size() * sizeof(graph->edges[0]) + graph->normals.size() * sizeof(Vector) +
+           (struts.ball_ends.size() + struts.cap_ends.size() + struts.vertex_ids.size() + struts.edge_ids.size()) * sizeof(std::uint32_t);
 }
 
 /// What a step holds beside the present state.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geom/point.h"
+#include "graph/strut_table.h"
 
 #include <array>
 #include <cstdint>
@@ -12,6 +13,9 @@ namespace druse {
 struct Graph {
     std::vector<Point> vertices;
     std::vector<std::array<std::uint32_t, 2>> edges; // indices into `vertices`, 0-based
+    std::vector<Vector> normals{};                   // by edge, the mean unit normal of the faces it lay between, or 0; empty: it came from no mesh
+
+    StrutTable struts{};                             // the faces of the mesh that were made of it
 
     friend bool operator==(const Graph&, const Graph&) = default;
 };

@@ -300,7 +300,9 @@ void Session::perform(const Request& request, Progress& progress, Result& result
     case Request::Task::command:
     case Request::Task::again: {
         const std::uint64_t version = document_.version();
+        const Shared<Source> source = document_.scene().source;
         MeshDelta delta = run_command(request, progress, result);
+        delta.whole = delta.whole || !source.same_as(document_.scene().source); // a graph without a mesh is drawn
         if (document_.version() != version) result.change.emplace(document_, std::move(delta));
         break;
     }

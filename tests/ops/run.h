@@ -25,6 +25,7 @@ inline const Registry& ops_registry()
         register_remesh(r);
         register_topology(r);
         register_rind(r);
+        register_graph(r);
         register_mesh(r);
         register_check(r);
         return r;

@@ -1,0 +1,189 @@
+// graph.struts: a solid around the edges of a graph.
+#include "ops/struts.h"
+
+#include "graph/clean_graph.h"
+#include "graph/edge_graph.h"
+#include "graph/split_crossings.h"
+#include "graph/strut_contacts.h"
+#include "graph/strut_surface.h"
+#include "ops/graph.h"
+#include "ops/group.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace druse {
+
+namespace {
+
+constexpr std::uint64_t most_edges = 20'000'000;
+constexpr double crossing_reach = 1e-9; // of the diagonal
+constexpr Colour crossing_colour{230, 30, 30};
+
+/// The graph that the document holds, or one of the edges of its mesh.
+Graph find_graph(const Scene& scene, StrutSource source)
+{
+    const Graph* graph = std::get_if<Graph>(&*scene.source);
+    const bool has_lines = graph && !graph->edges.empty();
+    if (source == StrutSource::lines || (source == StrutSource::automatic && has_lines)) return graph_of(scene);
+    if (scene.mesh.edge_count() == 0)
+        throw CommandError(source == StrutSource::edges ? "there is no mesh to take edges from" : "there are no edges: the document holds neither a graph nor a mesh");
+    Graph edges = edge_graph(scene.mesh, EdgeSelector::all().resolve(scene));
+    if (edges.edges.empty()) throw CommandError("there are no edges between two vertices");
+    return edges;
+}
+
+/// A clean graph with all that follows from it, which a split begins anew.
+struct Work {
+    Work(CleanGraph c, const StrutShape& shape) : clean(std::move(c)), incidence(clean.graph), placer(clean.graph, incidence, shape), neighbours(clean.graph, incidence)
+    {
+    }
+    Work(const Work&) = delete; // the parts borrow from each other
+
+    CleanGraph clean;
+    Incidence incidence;
+    StrutPlacer placer;
+    StrutNeighbours neighbours;
+};
+
+std::string name(const CleanGraph& clean, std::uint32_t edge)
+{
+    const auto& [a, b] = clean.graph.edges[edge];
+    return fmt::format("({} {})", clean.vertex_ids[a], clean.vertex_ids[b]);
+}
+
+/// The first thing that makes crossings an error, if there is one.
+std::optional<std::string> complaint(const CleanGraph& clean, const std::vector<Crossing>& found, Crossings what)
+{
+    for (const Crossing& c : found)
+        if (c.along) return fmt::format("edges {} and {} run along each other", name(clean, c.first), name(clean, c.second));
+    if (found.empty() || what != Crossings::error) return std::nullopt;
+    const Crossing& c = found.front();
+    return fmt::format("edges {} and {} cross at {:.6g},{:.6g},{:.6g}; crossings=split joins them", name(clean, c.first), name(clean, c.second), c.place.x, c.place.y, c.place.z);
+}
+
+void check_fit(const Work& work, const StrutPlacement& placement, const Struts& p, Context& context)
+{
+    if (placement.thinned == 0) return;
+    if (p.fit == StrutFit::error)
+        throw CommandError(fmt::format("radius={}: does not fit at vertex {}; the largest that fits everywhere is {:.6g}", number_text(p.radius),
+                                       work.clean.vertex_ids[placement.least_at], p.radius * work.placer.fitting_factor()));
+    context.note(fmt::format("{} thinned, least to {:.2g}", placement.thinned == 1 ? "1 end" : fmt::format("{} ends", placement.thinned), placement.least));
+}
+
+/// Struts in place of the mesh or after it, with groups of their own, and red where they cross.
+void put_in_place(Scene& scene, Mesh&& struts, bool keep, const StrutContacts& met)
+{
+    constexpr int crossing = strut_group::cap + 1;
+    int before = 0;
+    for (const Face f : met.faces) struts.set_group(f, crossing);
+    if (!keep) {
+        scene.mesh.replace_with(std::move(struts));
+    } else {
+        before = first_new_group(scene.mesh, crossing) - 1;
+        for (std::int32_t& group : struts.write_groups()) group += before;
+        scene.mesh.append(struts);
+    }
+    GroupTable& groups = scene.groups.edit();
+    const auto name = [&groups, before](int group, const char* text) {
+        groups.forget(before + group);
+        groups.set_name(before + group, text);
+    };
+    name(strut_group::ball, "ball");
+    name(strut_group::strut, "strut");
+    name(strut_group::cap, "cap");
+    if (met.faces.empty()) return;
+    name(crossing, "crossing");
+    groups.set_colour(before + crossing, crossing_colour);
+}
+
+} // namespace
+
+void make_struts(Scene& scene, const Struts& p, Context& context)
+{
+    Graph graph = find_graph(scene, p.source);
+    graph.struts = {};
+    if (p.frame == StrutFrame::normal && graph.normals.empty()) throw CommandError("frame=normal: the graph came from no mesh that has normals");
+    GraphRepairs repairs;
+    std::optional<Work> work;
+    work.emplace(cleaned(graph, p.weld, repairs), p);
+    for (std::string& note : repairs.notes()) context.note(std::move(note));
+
+    Box box;
+    for (const Point& v : graph.vertices) box.add(v);
+    const double reach = crossing_reach * box.diagonal();
+    StrutPlacement placement = work->placer.place();
+    std::vector<PartPair> pairs;
+    const bool looks = p.crossings != Crossings::ignore || p.clearance != Clearance::off;
+    if (looks) pairs = work->neighbours.near(placement, reach, context.progress);
+    if (p.crossings != Crossings::ignore) {
+        std::vector<Crossing> found = crossings(work->clean.graph, pairs, reach);
+        if (const auto text = complaint(work->clean, found, p.crossings)) throw CommandError(*text);
+        if (!found.empty()) {
+            CleanGraph pieces = split(work->clean, found, reach, static_cast<std::uint32_t>(graph.vertices.size()));
+            context.note(found.size() == 1 ? "1 crossing: split" : fmt::format("{} crossings: split", found.size()));
+            work.emplace(std::move(pieces), p);
+            placement = work->placer.place();
+            pairs = work->neighbours.near(placement, reach, context.progress);
+            found = crossings(work->clean.graph, pairs, reach);
+            if (const auto text = complaint(work->clean, found, Crossings::error)) throw CommandError(*text);
+        }
+    }
+    if (p.clearance == Clearance::off) pairs.clear();
+    std::erase_if(pairs, [&](const PartPair& pair) { return !work->neighbours.is_near(pair, placement); });
+    if (p.clearance == Clearance::shrink && !pairs.empty()) {
+        const double factor = clearing_factor(work->neighbours, work->placer, pairs);
+        if (!(factor > 0)) throw CommandError("clearance=shrink: edges meet, so no radius keeps their struts apart");
+        context.note(fmt::format("radius lowered to {:.6g}, so that nothing meets", p.radius * factor));
+        placement = work->placer.place(factor);
+        pairs.clear();
+    }
+    check_fit(*work, placement, p, context);
+
+    const std::uint64_t edges = count_edges(work->clean.graph, work->incidence, p);
+    if (edges > most_edges) throw CommandError(fmt::format("would make {} million edges, more than {} million", edges / 1'000'000, most_edges / 1'000'000));
+    StrutSurface made = strut_surface(work->clean.graph, work->incidence, work->placer, placement, p, context.progress);
+    const StrutContacts met = work->neighbours.contacts(made, pairs, context.progress);
+    if (met.pairs > 0) {
+        const std::string text = met.pairs == 1 ? "1 pair of triangles crosses" : fmt::format("{} pairs of triangles cross", met.pairs);
+        if (p.clearance == Clearance::error) throw CommandError(text + "; a smaller radius or clearance=shrink keeps struts apart");
+        context.note(text + " where struts come too near each other; clearance=shrink keeps them apart");
+    }
+    graph.struts = std::move(made.table);
+    graph.struts.vertex_ids = std::move(work->clean.vertex_ids);
+    graph.struts.edge_ids = std::move(work->clean.edge_ids);
+    graph.struts.first_face = p.keep ? scene.mesh.face_limit() : 0;
+    put_in_place(scene, std::move(made.mesh), p.keep, met);
+    graph.struts.mesh = scene.mesh.counts();
+    scene.source = Source(std::move(graph));
+}
+
+Operator graph_struts_operator()
+{
+    using P = Struts;
+    return define<P>("graph.struts", "Make a solid around the edges of a graph: struts, and balls that join them")
+        .param(&P::radius, "radius", Unit::none, above(0), "of the polygons around the edges, in what scale says")
+        .param(&P::scale, "scale", words({"length", "absolute"}), "radius in mean lengths of the edges at each vertex, so that struts taper, or in model units")
+        .param(&P::sides, "sides", Unit::count, {3, 64}, "corners of the polygons")
+        .param(&P::phase, "phase", Unit::degrees, {-360, 360}, "turns every polygon about its edge")
+        .param(&P::twist, "twist", Unit::degrees, {-360, 360}, "turns the polygon at the second end further")
+        .param(&P::frame, "frame", words({"auto", "normal", "axis"}), "what corner 0 looks to: the faces' normal where the graph came from a mesh, or the z axis")
+        .param(&P::ball, "ball", Unit::ratio, {1, 10}, "size of the balls, in what they need; never more than fits")
+        .param(&P::gap, "gap", Unit::ratio, {0.1, 0.99}, "how much of half the angle to the nearest edge a polygon may fill")
+        .param(&P::spread, "spread", Unit::degrees, {5, 80}, "largest half angle of a polygon, seen from its vertex")
+        .param(&P::cap, "cap", words({"flat", "round", "point"}), "how struts end at vertices with one edge")
+        .param(&P::fit, "fit", words({"shrink", "error"}), "where a polygon has to be smaller than asked for: make it so, or refuse")
+        .param(&P::crossings, "crossings", words({"error", "split", "ignore"}), "edges that meet away from vertices: refuse, put a vertex there, or do not look")
+        .param(&P::clearance, "clearance", words({"warn", "shrink", "error", "off"}), "struts that cross: say so and colour them, make all thinner, refuse, or do not look")
+        .param(&P::merge, "merge", "join coplanar triangles of the balls into polygons")
+        .param(&P::triangulate, "triangulate", "make triangles only")
+        .param(&P::keep, "keep", "keep the mesh too")
+        .param(&P::source, "source", words({"auto", "edges", "lines"}), "edges of the mesh, or lines of the graph; auto: lines if there are any")
+        .param(&P::weld, "weld", Unit::length, at_least(0), "vertices that near become one; 0: at exactly the same place")
+        .example("graph.struts radius=0.08 sides=4")
+        .cites("Hart 2009")
+        .run(make_struts);
+}
+
+} // namespace druse
