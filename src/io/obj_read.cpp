@@ -87,7 +87,7 @@ private:
 
     std::vector<std::uint32_t> polygon_;
     std::vector<std::array<std::uint32_t, 2>> lines_;
-    std::uint64_t standing_lines_ = 0, unknown_ = 0;
+    std::uint64_t unknown_ = 0;
     std::string first_unknown_;
 };
 
@@ -205,10 +205,8 @@ const char* ObjReader::polyline(const char* p)
     std::uint32_t before = 0, v = 0;
     for (p = scan::skip_blanks(p, line_); *p != '\n' && *p != '#'; p = scan::skip_blanks(p, line_)) {
         p = corner(p, v);
-        if (entries > 0 && v == before)
-            ++standing_lines_;
-        else if (entries > 0)
-            lines_.push_back({before, v});
+        if (entries > 0 && v == before) fail(fmt::format("a line from vertex {} to itself", std::int64_t(v) + 1));
+        if (entries > 0) lines_.push_back({before, v});
         before = v;
         if (entries < 2) ++entries;
     }
@@ -321,9 +319,6 @@ Model ObjReader::read()
     if (unknown_ > 0)
         model.notes.push_back(
             fmt::format("{} line{} passed over, first {}", unknown_, unknown_ == 1 ? " was" : "s were", first_unknown_));
-    if (standing_lines_ > 0)
-        model.notes.push_back(
-            fmt::format("{} line{} from a point to itself: left out", standing_lines_, standing_lines_ == 1 ? " goes" : "s go"));
     make_groups(model);
     if (!lines_.empty()) make_graph(model);
 

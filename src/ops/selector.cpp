@@ -25,7 +25,7 @@ constexpr const char* one = is_face<H> ? "face" : is_edge<H> ? "edge" : "vertex"
 template <class H>
 constexpr const char* many = is_face<H> ? "faces" : is_edge<H> ? "edges" : "vertices";
 template <class H>
-constexpr const char* grammar = is_face<H>   ? "expected all, none, selected, ids like 0,4,7-9, group:3, sides:5, component:0 or normal:x,y,z,angle, joined by +"
+constexpr const char* grammar = is_face<H>   ? "expected all, none, selected, ids like 0,4,7-9, group:3, sides:5, component:0, normal:x,y,z,angle, strut:4 or ball:9, joined by +"
                                 : is_edge<H> ? "expected all, none, selected, ids like 0,4,7-9 or end vertices like 4~9, joined by +"
                                              : "expected all, none, selected, ids like 0,4,7-9 or valence:3, joined by +";
 
@@ -51,6 +51,8 @@ SelectorTerm parse_term(std::string_view text)
         if (is_face<H> && key == "group") term.kind = TermKind::group;
         else if (is_face<H> && key == "sides") term.kind = TermKind::sides;
         else if (is_face<H> && key == "component") term.kind = TermKind::component;
+        else if (is_face<H> && key == "strut") term.kind = TermKind::strut;
+        else if (is_face<H> && key == "ball") term.kind = TermKind::ball;
         else if (!is_face<H> && !is_edge<H> && key == "valence") term.kind = TermKind::valence;
         else throw CommandError(grammar<H>);
         term.number = parse_id(value);
@@ -95,6 +97,8 @@ std::string term_text(const SelectorTerm& term)
     case TermKind::group: return fmt::format("group:{}", term.number);
     case TermKind::sides: return fmt::format("sides:{}", term.number);
     case TermKind::component: return fmt::format("component:{}", term.number);
+    case TermKind::strut: return fmt::format("strut:{}", term.number);
+    case TermKind::ball: return fmt::format("ball:{}", term.number);
     case TermKind::valence: return fmt::format("valence:{}", term.number);
     case TermKind::normal:
         return fmt::format("normal:{},{},{},{}", number_text(term.direction.x), number_text(term.direction.y), number_text(term.direction.z),
@@ -186,6 +190,13 @@ void add_term(const Scene& scene, const SelectorTerm& term, std::vector<H>& resu
             if (std::size_t(term.number) >= parts.parts.size())
                 throw CommandError(fmt::format("there is no component {}: the mesh has {}", term.number, parts.parts.size()));
             add_where(mesh, result, [&](Face f) { return parts.of_face[f.index] == term.number; });
+        } else if (term.kind == TermKind::strut || term.kind == TermKind::ball) {
+            const Graph* graph = std::get_if<Graph>(&*scene.source);
+            const auto id = static_cast<std::uint32_t>(term.number);
+            std::vector<Face> faces;
+            if (graph) faces = term.kind == TermKind::strut ? graph->struts.strut(mesh, id) : graph->struts.ball(mesh, id);
+            if (faces.empty()) throw CommandError(fmt::format("no faces are known to be the {} of the graph", term_text<H>(term)));
+            result.insert(result.end(), faces.begin(), faces.end());
         } else {
             // The angle between unit vectors from their difference and sum: exact at 0 and 180 degrees, where acos is not.
             const Vector direction = druse::direction(term.direction);

@@ -10,14 +10,14 @@ namespace druse {
 
 /// One part of a selector, between the `+` signs; see the grammar at parse().
 struct SelectorTerm {
-    enum class Kind { all, none, selected, ids, group, sides, component, normal, valence, ends };
+    enum class Kind { all, none, selected, ids, group, sides, component, normal, strut, ball, valence, ends };
     struct Range {
         std::uint32_t first, last;
         friend bool operator==(const Range&, const Range&) = default;
     };
     Kind kind = Kind::selected;
     std::vector<Range> ids;        // ids; ends: the two end vertices as a range
-    std::int64_t number = 0;       // group, sides, component, valence
+    std::int64_t number = 0;       // group, sides, component, strut, ball, valence
     Vector direction{0.0};         // normal
     double angle = 0.0;            // normal, degrees
 
@@ -25,7 +25,8 @@ struct SelectorTerm {
 };
 
 /// Names elements of the mesh without naming a mesh: `all`, `none`, `selected`, ids `0,4,7-9`, joined by `+`; faces also
-/// `group:3`, `sides:5`, `component:0`, `normal:x,y,z,angle`; vertices `valence:3`; edges their end vertices `4~9`.
+/// `group:3`, `sides:5`, `component:0`, `normal:x,y,z,angle`, and of a graph's edge or vertex `strut:4`, `ball:9`; vertices `valence:3`; edges
+/// their end vertices `4~9`.
 template <class H>
 class Selector {
 public:

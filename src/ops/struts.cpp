@@ -17,12 +17,12 @@ namespace druse {
 
 namespace {
 
-constexpr std::uint64_t most_edges = 20'000'000;
+constexpr std::uint64_t most_strut_edges = 20'000'000;
 constexpr double crossing_reach = 1e-9; // of the diagonal
 constexpr Colour crossing_colour{230, 30, 30};
 
 /// The graph that the document holds, or one of the edges of its mesh.
-Graph find_graph(const Scene& scene, StrutSource source)
+Graph graph_to_thicken(const Scene& scene, StrutSource source)
 {
     const Graph* graph = std::get_if<Graph>(&*scene.source);
     const bool has_lines = graph && !graph->edges.empty();
@@ -102,7 +102,7 @@ void put_in_place(Scene& scene, Mesh&& struts, bool keep, const StrutContacts& m
 
 void make_struts(Scene& scene, const Struts& p, Context& context)
 {
-    Graph graph = find_graph(scene, p.source);
+    Graph graph = graph_to_thicken(scene, p.source);
     graph.struts = {};
     if (p.frame == StrutFrame::normal && graph.normals.empty()) throw CommandError("frame=normal: the graph came from no mesh that has normals");
     GraphRepairs repairs;
@@ -142,7 +142,7 @@ void make_struts(Scene& scene, const Struts& p, Context& context)
     check_fit(*work, placement, p, context);
 
     const std::uint64_t edges = count_edges(work->clean.graph, work->incidence, p);
-    if (edges > most_edges) throw CommandError(fmt::format("would make {} million edges, more than {} million", edges / 1'000'000, most_edges / 1'000'000));
+    if (edges > most_strut_edges) throw CommandError(fmt::format("would make {} million edges, more than {} million", edges / 1'000'000, most_strut_edges / 1'000'000));
     StrutSurface made = strut_surface(work->clean.graph, work->incidence, work->placer, placement, p, context.progress);
     const StrutContacts met = work->neighbours.contacts(made, pairs, context.progress);
     if (met.pairs > 0) {

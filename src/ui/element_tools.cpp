@@ -6,9 +6,12 @@ namespace druse::ui {
 
 namespace {
 
+// Of a graph that is shown without a mesh nothing can be picked: ids are those of the mesh.
+
 std::optional<Target> edge_under(const DrawLists& lists, const Camera& camera, const Pointer& p)
 {
     Target target;
+    if (lists.face_limit() == 0) return std::nullopt;
     target.edge = pick_edge(lists, camera, p.x, p.y);
     return target.edge ? std::optional(target) : std::nullopt;
 }
@@ -16,6 +19,7 @@ std::optional<Target> edge_under(const DrawLists& lists, const Camera& camera, c
 std::optional<Target> vertex_under(const DrawLists& lists, const Camera& camera, const Pointer& p)
 {
     Target target;
+    if (lists.face_limit() == 0) return std::nullopt;
     target.vertex = pick_vertex(lists, camera, p.x, p.y);
     return target.vertex ? std::optional(target) : std::nullopt;
 }

@@ -153,7 +153,7 @@ private:
     std::mt19937 random_;
 };
 
-constexpr int kinds = 7;
+constexpr int kinds = 8;
 
 template <class Predicate>
 std::array<typename Predicate::P, Predicate::count> some_points(Source& source, int kind)
@@ -169,6 +169,7 @@ std::array<typename Predicate::P, Predicate::count> some_points(Source& source, 
         case 3: points[i] = i + 1 < points.size() ? source.anywhere<P>() : source.on_flat_of<P>(first(std::size_t(P::length()))); break;
         case 4: points[i] = source.on_round<P>(1.0, P(0.0)); break;
         case 5: points[i] = source.on_round<P>(1e-3, centre); break;
+        case 6: points[i] = (i + 1 < points.size() ? source.anywhere<P>() : source.on_flat_of<P>(first(std::size_t(P::length())))) + P(16) - P(16); break; // of one last digit
         default: points[i] = source.at_any_scale<P>(); break;
         }
     return points;

@@ -139,7 +139,7 @@ TEST(Lattice, HasNoRingOfLessThanTenEdgesInTheNetSrs)
 TEST(Lattice, IsCutToABallOfAnySize)
 {
     const Graph small = lattice_of({.cells = {2, 2, 2}, .trim = Trim::ball, .size = 0.5});
-    EXPECT_EQ(row(small), (Row{10, 12, 1, 3})); // as around the middle of one cell
+    EXPECT_EQ(row(small), (Row{5, 4, 1, 0})); // a vertex with its neighbours: the next ones are 2 √2 away
     EXPECT_THROW(lattice_of({.trim = Trim::ball, .size = 0.1}), CommandError);
 }
 

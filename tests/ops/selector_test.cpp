@@ -75,7 +75,7 @@ TEST(FaceSelector, SaysWhatIsNotThere)
     EXPECT_EQ(refused(scene, "normal:0,0,0,5"), "expected normal:x,y,z,angle with a direction and an angle of 0 to 180 degrees");
     for (const char* text : {"", "+", "all+", "one", "1,,2", "1-", "-1", "1-2-3", "group:", "group:x", "valence:3", "4~9", "normal:1,2,3", "0 1"})
         EXPECT_EQ(refused(scene, text),
-                  "expected all, none, selected, ids like 0,4,7-9, group:3, sides:5, component:0 or normal:x,y,z,angle, joined by +")
+                  "expected all, none, selected, ids like 0,4,7-9, group:3, sides:5, component:0, normal:x,y,z,angle, strut:4 or ball:9, joined by +")
             << text;
 }
 

@@ -1,0 +1,199 @@
+// graph.wireframe and graph.struts as operators: where their graph comes from, what they say, and what they leave behind.
+#include "dlfl/self_intersections.h"
+#include "graph/graph_facts.h"
+#include "ops/group.h"
+#include "ops/run.h"
+#include "support/mesh_checks.h"
+#include "support/shapes.h"
+
+namespace druse {
+namespace {
+
+using namespace test;
+using Notes = std::vector<std::string>;
+
+Scene scene_of(Graph graph)
+{
+    Scene scene;
+    scene.source = Source(std::move(graph));
+    return scene;
+}
+
+const Graph& graph(const Scene& scene) { return std::get<Graph>(*scene.source); }
+
+std::uint64_t crossings(const Scene& scene)
+{
+    Progress progress;
+    return self_intersections(scene.mesh, progress).pairs;
+}
+
+/// Two bars side by side, so far apart.
+Graph two_bars(double apart) { return {{{0, 0, 0}, {2, 0, 0}, {0, apart, 0}, {2, apart, 0}}, {{0, 1}, {2, 3}}}; }
+Graph cross() { return {{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}}, {{0, 1}, {2, 3}}}; }
+Graph corner() { return {{{1, 0, 0}, {0, 0, 0}, {0, 1, 0}}, {{0, 1}, {1, 2}}}; }
+
+TEST(Wireframe, TakesTheEdgesOfAMeshInItsPlaceOrBesideIt)
+{
+    Scene scene = test::scene_of(cube());
+    run(scene, "graph.wireframe", {{"edges", "0-3"}, {"keep", "true"}});
+    EXPECT_EQ(counts(scene.mesh), (Counts{8, 12, 6}));
+    EXPECT_EQ(graph(scene).edges.size(), 4u);
+    EXPECT_EQ(graph(scene).vertices.size(), 4u);
+    run(scene, "graph.wireframe");
+    EXPECT_EQ(counts(scene.mesh), (Counts{0, 0, 0}));
+    EXPECT_EQ(graph(scene).edges.size(), 12u);
+    EXPECT_EQ(complaint(Scene(), "graph.wireframe"), "there are no edges between two vertices");
+}
+
+TEST(Lattice, BecomesTheGraphOfTheDocument)
+{
+    Scene scene = test::scene_of(cube());
+    run(scene, "graph.lattice", {{"kind", "srs"}, {"cells", "3,3,3"}, {"trim", "ball"}, {"size", "auto"}});
+    EXPECT_EQ(facts(graph(scene)).cycle_rank, 28);
+    EXPECT_EQ(counts(scene.mesh), (Counts{8, 12, 6}));
+    EXPECT_EQ(complaint(Scene(), "graph.lattice", {{"kind", "srs"}, {"cells", "1,1,1"}, {"leaves", "false"}}), "no edge is left: take more cells, or keep the leaves");
+}
+
+TEST(Struts, AreMadeOfTheEdgesOfAMeshAndLeaveTheirGraphToRunAgain)
+{
+    Scene scene = test::scene_of(cube());
+    EXPECT_EQ(run(scene, "graph.struts").notes, Notes{});
+    EXPECT_EQ(genus(scene.mesh), 5);
+    EXPECT_EQ(graph(scene).edges.size(), 12u);
+    run(scene, "graph.struts", {{"sides", "4"}, {"frame", "axis"}});
+    EXPECT_EQ(genus(scene.mesh), 5);
+    EXPECT_EQ(counts(scene.mesh).vertices, 104u);
+    EXPECT_EQ(scene.groups->name(1) + scene.groups->name(2) + scene.groups->name(3), "ballstrutcap");
+    // Of the mesh itself: every edge of it is a strut now.
+    const std::int64_t edges = scene.mesh.edge_count(), vertices = scene.mesh.vertex_count();
+    run(scene, "graph.struts", {{"source", "edges"}, {"sides", "3"}, {"radius", "0.01"}, {"clearance", "off"}});
+    EXPECT_EQ(genus(scene.mesh), edges - vertices + 1);
+}
+
+TEST(Struts, StandBesideAKeptMeshInGroupsOfTheirOwn)
+{
+    Mesh given = cube();
+    for (const Face f : given.faces()) given.set_group(f, 7);
+    Scene scene = test::scene_of(std::move(given));
+    run(scene, "graph.struts", {{"keep", "true"}});
+    EXPECT_SOUND(scene.mesh);
+    EXPECT_EQ(components(scene.mesh).parts.size(), 2u);
+    EXPECT_EQ(existing_groups(scene.mesh), (std::vector<int>{7, 8, 9}));
+    EXPECT_EQ(scene.groups->name(9), "strut");
+    EXPECT_EQ(ids(FaceSelector::parse("strut:0").resolve(scene)).size(), 6u);
+    EXPECT_EQ(scene.mesh.group(FaceSelector::parse("ball:3").resolve(scene)[0]), 8);
+}
+
+TEST(Struts, AreFoundByTheEdgeAndVertexThatTheyWereMadeOf)
+{
+    Scene scene = scene_of(corner());
+    run(scene, "graph.struts", {{"sides", "5"}});
+    EXPECT_EQ(ids(FaceSelector::parse("strut:1").resolve(scene)).size(), 5u);
+    for (const Face f : FaceSelector::parse("strut:1").resolve(scene)) EXPECT_EQ(scene.mesh.group(f), 2);
+    for (const Face f : FaceSelector::parse("ball:1").resolve(scene)) EXPECT_EQ(scene.mesh.group(f), 1);
+    ASSERT_EQ(FaceSelector::parse("ball:2").resolve(scene).size(), 1u);
+    EXPECT_EQ(scene.mesh.group(FaceSelector::parse("ball:2").resolve(scene)[0]), 3);
+    EXPECT_THROW(FaceSelector::parse("strut:2").resolve(scene), CommandError);
+    run(scene, "mesh.transform", {{"scale", "2"}});
+    EXPECT_EQ(ids(FaceSelector::parse("strut:0").resolve(scene)).size(), 5u);
+    run(scene, "remesh.doo_sabin");
+    EXPECT_THROW(FaceSelector::parse("strut:0").resolve(scene), CommandError);
+}
+
+TEST(Struts, SayWhereTheyAreThinnerThanAskedFor)
+{
+    const std::vector<std::pair<std::string, std::string>> thick{{"radius", "0.4"}, {"scale", "absolute"}};
+    Scene scene = scene_of(corner());
+    // At the corner a polygon is seen under 0.9 · 45°, on a sphere of radius 0.95 / 2: 0.308488, in place of 0.4.
+    EXPECT_EQ(notes(scene, "graph.struts", thick), Notes{"2 ends thinned, least to 0.77"});
+    auto refused = thick;
+    refused.emplace_back("fit", "error");
+    EXPECT_EQ(complaint(scene_of(corner()), "graph.struts", refused), "radius=0.4: does not fit at vertex 1; the largest that fits everywhere is 0.308488");
+}
+
+TEST(Struts, RefuseOrSplitEdgesThatCross)
+{
+    EXPECT_EQ(complaint(scene_of(cross()), "graph.struts"), "edges (0 1) and (2 3) cross at 0,0,0; crossings=split joins them");
+    Scene joined = scene_of(cross()), ignored = scene_of(cross());
+    EXPECT_EQ(notes(joined, "graph.struts", {{"crossings", "split"}}), Notes{"1 crossing: split"});
+    EXPECT_EQ(components(joined.mesh).parts.size(), 1u);
+    EXPECT_EQ(genus(joined.mesh), 0);
+    EXPECT_EQ(crossings(joined), 0u);
+    EXPECT_EQ(ids(FaceSelector::parse("strut:1").resolve(joined)).size(), 12u); // two pieces of six sides
+    run(ignored, "graph.struts", {{"crossings", "ignore"}});
+    EXPECT_EQ(components(ignored.mesh).parts.size(), 2u);
+    EXPECT_EQ(complaint(scene_of(cross()), "graph.struts", {{"crossings", "ignore"}, {"clearance", "shrink"}}),
+              "clearance=shrink: edges meet, so no radius keeps their struts apart");
+}
+
+TEST(Struts, RefuseEdgesThatOverlap)
+{
+    const Graph beside{{{0, 0, 0}, {1, 0, 0}, {1, 1e-5, 0}}, {{0, 1}, {0, 2}}};
+    EXPECT_EQ(complaint(scene_of(beside), "graph.struts"), "edges (0 1) and (0 2) overlap");
+    const Graph along{{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{0, 1}, {2, 3}}};
+    for (const char* what : {"error", "split"})
+        EXPECT_EQ(complaint(scene_of(along), "graph.struts", {{"crossings", what}}), "edges (0 1) and (2 3) run along each other");
+}
+
+TEST(Struts, SayAndColourWhereTheyCrossOrAreMadeThinner)
+{
+    const std::vector<std::pair<std::string, std::string>> thick{{"radius", "0.1"}, {"scale", "absolute"}, {"sides", "4"}};
+    const auto with = [&](const char* clearance) {
+        auto arguments = thick;
+        arguments.emplace_back("clearance", clearance);
+        return arguments;
+    };
+    Scene warned = scene_of(two_bars(0.15)), off = warned, thinner = warned, apart = scene_of(two_bars(0.21));
+    const Notes said = notes(warned, "graph.struts", thick);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_EQ(said[0], std::to_string(crossings(warned)) + " pairs of triangles cross where struts come too near each other; clearance=shrink keeps them apart");
+    EXPECT_GT(crossings(warned), 0u);
+    EXPECT_EQ(warned.groups->name(4), "crossing");
+    EXPECT_EQ(existing_groups(warned.mesh).back(), 4);
+
+    EXPECT_EQ(notes(off, "graph.struts", with("off")), Notes{});
+    EXPECT_EQ(notes(thinner, "graph.struts", with("shrink")), Notes{"radius lowered to 0.075, so that nothing meets"}); // half of how far apart they are
+    EXPECT_EQ(crossings(thinner), 0u);
+    EXPECT_EQ(notes(apart, "graph.struts", thick), Notes{});
+    EXPECT_EQ(complaint(scene_of(two_bars(0.15)), "graph.struts", with("error")).substr(2), " pairs of triangles cross; a smaller radius or clearance=shrink keeps struts apart");
+    // Nearer than spheres and cylinders may be, but squares on their corners: these two stand apart.
+    Scene squares = scene_of(two_bars(0.15));
+    EXPECT_EQ(notes(squares, "graph.struts", {{"radius", "0.1"}, {"scale", "absolute"}, {"sides", "4"}, {"phase", "45"}}), Notes{});
+    EXPECT_EQ(crossings(squares), 0u);
+}
+
+TEST(Struts, SayWhatTheyMendInAGraph)
+{
+    Scene scene = scene_of({{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {9, 9, 9}}, {{0, 1}, {1, 0}, {2, 3}}});
+    EXPECT_EQ(notes(scene, "graph.struts", {}),
+              (Notes{"1 edge was there twice: kept once", "1 vertex was welded to another one at its place", "1 vertex has no edge: left out"}));
+    EXPECT_EQ(components(scene.mesh).parts.size(), 1u);
+    EXPECT_EQ(graph(scene).vertices.size(), 5u); // the graph stays as it was
+}
+
+TEST(Struts, SayWhatTheyCannotBeMadeOf)
+{
+    EXPECT_EQ(complaint(Scene(), "graph.struts"), "there are no edges: the document holds neither a graph nor a mesh");
+    EXPECT_EQ(complaint(scene_of(corner()), "graph.struts", {{"source", "edges"}}), "there is no mesh to take edges from");
+    EXPECT_EQ(complaint(test::scene_of(cube()), "graph.struts", {{"source", "lines"}}),
+              "the document holds no graph; graph.wireframe makes one of the edges of a mesh");
+    EXPECT_EQ(complaint(scene_of(corner()), "graph.struts", {{"frame", "normal"}}), "frame=normal: the graph came from no mesh that has normals");
+    Scene large;
+    run(large, "graph.lattice", {{"cells", "24,24,24"}});
+    EXPECT_EQ(complaint(large, "graph.struts", {{"sides", "32"}}), "would make 36 million edges, more than 20 million");
+}
+
+TEST(Struts, StaySolidWhenSmoothed)
+{
+    Scene scene = test::scene_of(cube());
+    run(scene, "graph.struts");
+    for (const char* scheme : {"remesh.doo_sabin", "remesh.catmull_clark"}) {
+        Scene smooth = scene;
+        run(smooth, scheme);
+        EXPECT_SOUND(smooth.mesh);
+        EXPECT_EQ(genus(smooth.mesh), 5);
+    }
+}
+
+} // namespace
+} // namespace druse
