@@ -9,6 +9,7 @@ MAY_INCLUDE = {
     "geom": [],
     "dlfl": ["geom"],
     "graph": ["dlfl", "geom"],
+    "pane": ["dlfl", "geom"],
     "tile": ["dlfl", "geom"],
     "ops": ["graph", "dlfl", "geom"],
     "io": ["graph", "dlfl", "geom"],

@@ -1,6 +1,7 @@
 #include "geom/predicates.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Gmpq.h>
 
 #include <algorithm>
 #include <array>
@@ -98,6 +99,33 @@ int insphere(const Point& a, const Point& b, const Point& c, const Point& d, con
 }
 
 } // namespace exact
+
+namespace {
+
+// Constructed places are computed in rational numbers and rounded at the end: crossings are rare beside the signs that they lead to.
+using Rational = CGAL::Gmpq;
+
+Point2 rounded(const Rational& x, const Rational& y) { return {CGAL::to_double(x), CGAL::to_double(y)}; }
+
+} // namespace
+
+Point2 crossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
+{
+    const Rational ux = Rational(b.x) - Rational(a.x), uy = Rational(b.y) - Rational(a.y);
+    const Rational vx = Rational(d.x) - Rational(c.x), vy = Rational(d.y) - Rational(c.y);
+    const Rational wx = Rational(c.x) - Rational(a.x), wy = Rational(c.y) - Rational(a.y);
+    const Rational t = (wx * vy - wy * vx) / (ux * vy - uy * vx);
+    return rounded(Rational(a.x) + t * ux, Rational(a.y) + t * uy);
+}
+
+Point2 foot(const Point2& p, const Point2& a, const Point2& b)
+{
+    const Rational ux = Rational(b.x) - Rational(a.x), uy = Rational(b.y) - Rational(a.y);
+    const Rational t = ((Rational(p.x) - Rational(a.x)) * ux + (Rational(p.y) - Rational(a.y)) * uy) / (ux * ux + uy * uy);
+    if (t <= 0) return a;
+    if (t >= 1) return b;
+    return rounded(Rational(a.x) + t * ux, Rational(a.y) + t * uy);
+}
 
 bool predicates_are_exact()
 {

@@ -109,6 +109,20 @@ inline int incircle(const Point2& a, const Point2& b, const Point2& c, const Poi
     return sign != 0 ? sign : exact::incircle(a, b, c, d);
 }
 
+/// The order of points by x, then y.
+inline bool is_before(const Point2& p, const Point2& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
+
+/// As incircle(), but never 0 for four different points: on one circle, the first of them in the order of is_before() counts as lifted a little less
+/// than its height, which keeps the diagonal at it. One set of points then has one Delaunay triangulation. Precondition: orient(a, b, c) > 0.
+inline int incircle_in_order(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
+{
+    if (const int sign = incircle(a, b, c, d); sign != 0) return sign;
+    const bool ab = is_before(a, b), cd = is_before(c, d);
+    const Point2 &first = ab ? a : b, &second = cd ? c : d;
+    if (is_before(first, second)) return ab ? -orient(d, b, c) : -orient(a, d, c);
+    return cd ? -orient(a, b, d) : 1;
+}
+
 /// 1 if e is inside the sphere through a, b, c, d, -1 if outside. Precondition: orient(a, b, c, d) > 0; else the sign is turned round
 /// with it, and tells nothing where a, b, c, d are in a plane.
 inline int insphere(const Point& a, const Point& b, const Point& c, const Point& d, const Point& e)
@@ -116,6 +130,12 @@ inline int insphere(const Point& a, const Point& b, const Point& c, const Point&
     const int sign = filter::insphere(a, b, c, d, e);
     return sign != 0 ? sign : exact::insphere(a, b, c, d, e);
 }
+
+/// Where the lines a b and c d meet, rounded once. Precondition: they cross, and coordinates are at most 1e150. Cost: as the signs.
+Point2 crossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
+
+/// The place on the line a b that is nearest to p, rounded once; a or b where it would lie beyond. Precondition: a != b, coordinates at most 1e150.
+Point2 foot(const Point2& p, const Point2& a, const Point2& b);
 
 /// Whether the processor and the compiler's flags leave the predicates exact: twenty signs that are known, most of them lost by a
 /// computation in doubles. For the start of a program. Cost: some microseconds.

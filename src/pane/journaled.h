@@ -1,0 +1,117 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace druse {
+
+/// A flat array that, while an edit is recorded, remembers what the edit overwrites, block by block of 2^block_bits elements.
+///
+/// An edit of a pane touches some tens of elements, so they are kept one by one (a Column keeps pages of a thousand, for edits of whole
+/// meshes). Going back puts them in place again in the reverse order and cuts off what was added at the end: the bytes are those of before.
+template <class T, unsigned block_bits = 0>
+class Journaled {
+public:
+    static constexpr std::uint32_t block_size = 1u << block_bits;
+
+    struct Kept {
+        std::uint32_t block;
+        std::array<T, block_size> value;
+    };
+
+    /// The way from one state to another: what differs before the shorter end, and what lies past it.
+    struct Change {
+        std::vector<Kept> kept;
+        std::vector<T> tail;
+        std::uint32_t size = 0; // of the state that is gone back to
+
+        std::size_t bytes() const { return kept.capacity() * sizeof(Kept) + tail.capacity() * sizeof(T); }
+    };
+
+    std::uint32_t size() const { return static_cast<std::uint32_t>(items_.size()); }
+    const T& operator[](std::uint32_t i) const { return items_[i]; }
+    const T* data() const { return items_.data(); }
+
+    /// Element i for writing, after its block is kept.
+    T& change(std::uint32_t i)
+    {
+        keep(i >> block_bits);
+        return items_[i];
+    }
+
+    /// Element i for writing; keep() was called for its block since the edit began, or the edit added it.
+    T& kept(std::uint32_t i) { return items_[i]; }
+
+    void keep(std::uint32_t block)
+    {
+        if (recording_ && block < known_ >> block_bits) [[unlikely]] remember(block);
+    }
+
+    /// Adds one block with this value in all its elements, and returns the first of them.
+    std::uint32_t add(const T& value)
+    {
+        const std::uint32_t first = size();
+        items_.insert(items_.end(), block_size, value);
+        return first;
+    }
+
+    void reserve(std::size_t count) { items_.reserve(count); }
+
+    /// Begins to record, and throws away what the recording before kept.
+    void begin()
+    {
+        kept_.clear();
+        known_ = size();
+        recording_ = true;
+    }
+
+    void end() noexcept { recording_ = false; }
+
+    /// What the last recording kept; once.
+    Change take() { return {std::exchange(kept_, {}), {}, known_}; }
+
+    /// Ends the recording, with all as it was when it began.
+    void roll_back() noexcept
+    {
+        for (std::size_t i = kept_.size(); i-- > 0;) std::copy(kept_[i].value.begin(), kept_[i].value.end(), place(kept_[i].block));
+        items_.erase(items_.begin() + known_, items_.end());
+        kept_.clear();
+        recording_ = false;
+    }
+
+    /// From the later state of a change to the earlier one; `change` then leads forwards.
+    void undo(Change& change)
+    {
+        change.tail.assign(items_.begin() + change.size, items_.end());
+        items_.erase(items_.begin() + change.size, items_.end());
+        for (std::size_t i = change.kept.size(); i-- > 0;) exchange(change.kept[i]);
+    }
+
+    /// From the earlier state to the later one.
+    void redo(Change& change)
+    {
+        for (Kept& kept : change.kept) exchange(kept);
+        items_.insert(items_.end(), change.tail.begin(), change.tail.end());
+    }
+
+private:
+    auto place(std::uint32_t block) { return items_.begin() + (std::size_t(block) << block_bits); }
+    void exchange(Kept& kept) { std::swap_ranges(kept.value.begin(), kept.value.end(), place(kept.block)); }
+
+    void remember(std::uint32_t block)
+    {
+        Kept& kept = kept_.emplace_back();
+        kept.block = block;
+        std::copy_n(place(block), block_size, kept.value.begin());
+    }
+
+    std::vector<T> items_;
+    std::vector<Kept> kept_;
+    std::uint32_t known_ = 0; // size when the recording began
+    bool recording_ = false;
+};
+
+} // namespace druse

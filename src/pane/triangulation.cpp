@@ -1,0 +1,390 @@
+#include "pane/triangulation.h"
+
+#include "dlfl/errors.h"
+
+#include <cstring>
+
+namespace druse {
+
+using Index = Triangulation::Index;
+
+Triangulation::Triangulation(const Point2& min, const Point2& max)
+{
+    const std::array<Point2, 4> places{min, Point2(max.x, min.y), max, Point2(min.x, max.y)};
+    for (std::size_t i = 0; i < 4; ++i) state_.corners[i] = new_vertex(places[i]);
+    const auto& c = state_.corners;
+    const Index s = new_face(0), t = new_face(0);
+    const auto fill = [&](Index face, Index u, Index v, Index w) {
+        const std::array<Index, 3> around{u, v, w};
+        for (Index k = 0; k < 3; ++k) {
+            side(face + k) = {around[k], none};
+            set_out(around[k], face + k);
+        }
+    };
+    fill(s, c[0], c[1], c[2]);
+    fill(t, c[0], c[2], c[3]);
+    glue(s + 2, t, 0);
+    for (const Index h : {s, s + 1, t + 1, t + 2}) put_bits(h, hull_bit);
+    if (wants_flip(s + 2)) flip(s + 2);
+}
+
+bool Triangulation::in_box(const Point2& p) const
+{
+    const Point2 &min = positions_[state_.corners[0]], &max = positions_[state_.corners[2]];
+    return p.x > min.x && p.x < max.x && p.y > min.y && p.y < max.y;
+}
+
+Index Triangulation::find_side(Index u, Index v) const
+{
+    Index h = out_[u];
+    const Index first = h;
+    do {
+        if (target(h) == v) return h;
+        h = turn(h);
+    } while (h != first);
+    return none;
+}
+
+// --- memory -----------------------------------------------------------------------------------------------------------------------
+
+Index Triangulation::new_face(std::uint32_t flags)
+{
+    Index h = state_.free_faces;
+    if (h != none) {
+        touch(h);
+        state_.free_faces = sides_[h | 3].twin;
+    } else {
+        h = sides_.add({none, none});
+    }
+    side(h | 3) = {flags, none};
+    return h;
+}
+
+void Triangulation::free_face(Index h)
+{
+    touch(h);
+    side(h | 3) = {dead_bit, state_.free_faces};
+    state_.free_faces = face(h);
+}
+
+Index Triangulation::new_vertex(const Point2& p)
+{
+    ++state_.vertices;
+    const Index v = state_.free_vertices;
+    if (v == none) {
+        positions_.add(p);
+        return out_.add(none);
+    }
+    state_.free_vertices = out_[v];
+    positions_.change(v) = p;
+    return v;
+}
+
+void Triangulation::free_vertex(Index v)
+{
+    --state_.vertices;
+    set_out(v, state_.free_vertices);
+    state_.free_vertices = v;
+}
+
+/// Makes g and h the two sides of one edge; h may be none, for an edge of the box.
+void Triangulation::glue(Index g, Index h, std::uint32_t edge)
+{
+    side(g).twin = h;
+    put_bits(g, edge);
+    if (h == none) return;
+    touch(h);
+    side(h).twin = g;
+    put_bits(h, edge);
+}
+
+void Triangulation::put_bits(Index h, std::uint32_t edge)
+{
+    Index& word = side(h | 3).origin;
+    word = (word & ~(edge_bits << (h & 3))) | (edge << (h & 3));
+}
+
+void Triangulation::set_bits(Index h, std::uint32_t edge)
+{
+    for (const Index g : {h, twin(h)})
+        if (g != none && (bits(g) & edge) != edge) {
+            touch(g);
+            put_bits(g, bits(g) | edge);
+        }
+}
+
+void Triangulation::clear_bits(Index h, std::uint32_t edge)
+{
+    if ((bits(h) & edge) == 0) return;
+    for (const Index g : {h, twin(h)}) {
+        touch(g);
+        put_bits(g, bits(g) & ~edge);
+    }
+    queue_.push_back(h);
+}
+
+void Triangulation::set_inside(Index h, bool inside)
+{
+    if (is_inside(h) == inside) return;
+    touch(h);
+    side(h | 3).origin ^= inside_bit;
+}
+
+// --- vertices ---------------------------------------------------------------------------------------------------------------------
+
+void Triangulation::split_face(Index h, Index v)
+{
+    const Index t = face(h), kind = flags(t) & inside_bit;
+    const Index s = new_face(kind), r = new_face(kind);
+    touch(t);
+    const Index b = origin(t + 1), c = origin(t + 2);
+    const Index twin1 = twin(t + 1), twin2 = twin(t + 2);
+    const std::uint32_t bits1 = bits(t + 1), bits2 = bits(t + 2);
+    // t: a b v, s: b c v, r: c a v
+    side(t + 2).origin = v;
+    side(s).origin = b;
+    side(s + 1).origin = c;
+    side(s + 2).origin = v;
+    side(r).origin = c;
+    side(r + 1).origin = origin(t);
+    side(r + 2).origin = v;
+    glue(s, twin1, bits1);
+    glue(r, twin2, bits2);
+    glue(t + 1, s + 2, 0);
+    glue(s + 1, r + 2, 0);
+    glue(r + 1, t + 2, 0);
+    if (out_[c] == t + 2) set_out(c, r);
+    set_out(v, t + 2);
+}
+
+void Triangulation::split_side(Index h, Index v)
+{
+    const Index o = twin(h), hn = next(h), on = next(o), edge = bits(h);
+    const Index s = new_face(flags(h) & inside_bit), r = new_face(flags(o) & inside_bit);
+    touch(h);
+    touch(o);
+    const Index a = origin(h), b = origin(o), c = apex(h), d = apex(o);
+    const Index twin_n = twin(hn), twin_o = twin(on);
+    const std::uint32_t bits_n = bits(hn), bits_o = bits(on);
+    // h: a v c, s: v b c, o: b v d, r: v a d
+    side(hn).origin = v;
+    side(on).origin = v;
+    side(s).origin = v;
+    side(s + 1).origin = b;
+    side(s + 2).origin = c;
+    side(r).origin = v;
+    side(r + 1).origin = a;
+    side(r + 2).origin = d;
+    glue(h, r, edge);
+    glue(o, s, edge);
+    glue(s + 1, twin_n, bits_n);
+    glue(r + 1, twin_o, bits_o);
+    glue(s + 2, hn, 0);
+    glue(r + 2, on, 0);
+    if (out_[b] == hn) set_out(b, s + 1);
+    if (out_[a] == on) set_out(a, r + 1);
+    set_out(v, s);
+}
+
+/// Ties the vertex v, alone so far, to the face or side that it lies in.
+void Triangulation::join(Index v, const Place& at)
+{
+    if (at.kind == Place::Kind::face) split_face(at.side, v);
+    else split_side(at.side, v);
+    legalise_star(v);
+}
+
+Index Triangulation::insert(const Point2& p, const Place& at)
+{
+    ASSERT(at.kind != Place::Kind::vertex, "a new vertex is not where one is");
+    const Index v = new_vertex(p);
+    join(v, at);
+    remember(p, out_[v]);
+    return v;
+}
+
+bool Triangulation::move(Index v, const Point2& p)
+{
+    const Index first = out_[v];
+    Index h = first;
+    do {
+        if (orient(positions_[target(h)], positions_[apex(h)], p) <= 0) return false;
+        h = turn(h);
+    } while (h != first);
+    positions_.change(v) = p;
+    do {
+        queue_.push_back(h);
+        queue_.push_back(next(h));
+        h = turn(h);
+    } while (h != first);
+    legalise();
+    remember(p, out_[v]);
+    return true;
+}
+
+// --- flips ------------------------------------------------------------------------------------------------------------------------
+
+bool Triangulation::wants_flip(Index h) const
+{
+    return incircle_in_order(positions_[origin(h)], positions_[target(h)], positions_[apex(h)], positions_[apex(twin(h))]) > 0;
+}
+
+/// Turns the edge a b of the faces a b c and b a d into d c. Afterwards h runs from d to b and twin(h) of before from c to a.
+void Triangulation::flip(Index h)
+{
+    const Index o = twin(h), hn = next(h), hp = previous(h), on = next(o), op = previous(o);
+    touch(h);
+    touch(o);
+    const Index a = origin(h), b = origin(o), c = origin(hp), d = origin(op);
+    const Index twin_h = twin(op), twin_o = twin(hp);
+    const std::uint32_t bits_h = bits(op), bits_o = bits(hp);
+    side(h).origin = d;
+    side(o).origin = c;
+    glue(h, twin_h, bits_h);
+    glue(o, twin_o, bits_o);
+    glue(hp, op, 0);
+    if (out_[a] == h) set_out(a, on);
+    if (out_[b] == o) set_out(b, hn);
+}
+
+/// The edges opposite v are the only ones that a new vertex v may have spoilt; a flip puts two others in the place of one.
+void Triangulation::legalise_star(Index v)
+{
+    Index h = next(out_[v]);
+    const Index stop = origin(h);
+    while (true) {
+        if (!is_fixed(h) && wants_flip(h)) {
+            const Index o = twin(h);
+            flip(h);
+            h = next(o);
+        } else if (target(h) == stop) {
+            return;
+        } else {
+            h = next(twin(next(h)));
+        }
+    }
+}
+
+/// Every edge that a flip may have spoilt is put in the queue by one of its sides; sides that have become part of another edge do no harm.
+void Triangulation::legalise()
+{
+    while (!queue_.empty()) {
+        const Index h = queue_.back();
+        queue_.pop_back();
+        if (!is_face(h) || is_fixed(h) || !wants_flip(h)) continue;
+        const Index o = twin(h);
+        flip(h);
+        for (const Index g : {h, next(h), o, next(o)})
+            if (!is_fixed(g)) queue_.push_back(g);
+    }
+}
+
+// --- the box ----------------------------------------------------------------------------------------------------------------------
+
+void Triangulation::grow_box(const Point2& p)
+{
+    const auto old = state_.corners;
+    Point2 min = glm::min(positions_[old[0]], p), max = glm::max(positions_[old[2]], p);
+    const Point2 room = max - min;
+    min -= room;
+    max += room;
+    const std::array<Point2, 4> places{min, Point2(max.x, min.y), max, Point2(min.x, max.y)};
+    for (std::size_t i = 0; i < 4; ++i) state_.corners[i] = new_vertex(places[i]);
+    const auto now = state_.corners;
+
+    // A ring of eight faces around the old box: below side i of it the faces old[i+1] old[i] now[i] and now[i] now[i+1] old[i+1].
+    std::array<Index, 4> low, high;
+    for (std::size_t i = 0; i < 4; ++i) {
+        low[i] = new_face(0);
+        high[i] = new_face(0);
+        const std::size_t j = (i + 1) % 4;
+        const std::array<Index, 3> a{old[j], old[i], now[i]}, b{now[i], now[j], old[j]};
+        for (Index k = 0; k < 3; ++k) {
+            side(low[i] + k) = {a[k], none};
+            side(high[i] + k) = {b[k], none};
+        }
+        set_out(now[i], high[i]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t j = (i + 1) % 4;
+        Index h = out_[old[i]];
+        while (twin(h) != none) h = next(twin(h)); // clockwise, as far as the side old[i] → old[j] of the old box
+        touch(h);
+        glue(low[i], h, 0);
+        glue(low[i] + 2, high[i] + 2, 0);       // old[j] now[i]
+        glue(high[i] + 1, low[j] + 1, 0);       // now[j] old[j]
+        put_bits(high[i], hull_bit);
+    }
+    for (const Index h : low)
+        for (Index k = 0; k < 3; ++k) queue_.push_back(h + k);
+    legalise();
+    for (const Index v : old) remove(v);
+    grid_.clear();
+}
+
+// --- recording --------------------------------------------------------------------------------------------------------------------
+
+void Triangulation::begin()
+{
+    before_ = state_;
+    sides_.begin();
+    positions_.begin();
+    out_.begin();
+}
+
+void Triangulation::end() noexcept
+{
+    sides_.end();
+    positions_.end();
+    out_.end();
+}
+
+Triangulation::Change Triangulation::take() { return {sides_.take(), positions_.take(), out_.take(), before_}; }
+
+void Triangulation::roll_back() noexcept
+{
+    queue_.clear();
+    state_ = before_;
+    sides_.roll_back();
+    positions_.roll_back();
+    out_.roll_back();
+    last_ = 0;
+}
+
+void Triangulation::undo(Change& change)
+{
+    sides_.undo(change.sides);
+    positions_.undo(change.positions);
+    out_.undo(change.out);
+    std::swap(state_, change.state);
+}
+
+void Triangulation::redo(Change& change)
+{
+    sides_.redo(change.sides);
+    positions_.redo(change.positions);
+    out_.redo(change.out);
+    std::swap(state_, change.state);
+}
+
+std::uint64_t Triangulation::fingerprint() const
+{
+    std::uint64_t hash = 14695981039346656037u;
+    const auto mix = [&](std::uint64_t word) { hash = (hash ^ word) * 1099511628211u; };
+    for (Index h = 0; h < sides_.size(); ++h) mix((std::uint64_t(sides_[h].origin) << 32) | sides_[h].twin);
+    for (Index v = 0; v < positions_.size(); ++v) {
+        for (const double x : {positions_[v].x, positions_[v].y}) {
+            std::uint64_t word;
+            std::memcpy(&word, &x, sizeof word);
+            mix(word);
+        }
+        mix(out_[v]);
+    }
+    for (const Index c : state_.corners) mix(c);
+    mix(state_.free_faces);
+    mix(state_.free_vertices);
+    mix(state_.vertices);
+    return hash;
+}
+
+} // namespace druse
