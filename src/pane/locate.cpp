@@ -25,7 +25,7 @@ double distance2(const Point2& p, const Point2& a, const Point2& b)
     if (along <= 0) return w.x * w.x + w.y * w.y;
     if (along >= length2) return distance2(p, b);
     const double across = u.x * w.y - u.y * w.x;
-    return across * across / length2;
+    return across * (across / length2); // which does not overflow while the squares do not
 }
 
 std::uint32_t step(std::uint32_t& random) { return (random = random * 1664525u + 1013904223u) >> 16; }
@@ -203,13 +203,12 @@ Index Triangulation::vertex_within(const Point2& p, const Place& at, double weld
 {
     if (at.kind == Place::Kind::vertex) return origin(at.side);
     const Index t = face(at.side);
-    const double weld2 = weld * weld;
     bool near_an_edge = false;
     for (Index h = t; h < t + 3; ++h) {
         const Point2 &a = positions_[origin(h)], &b = positions_[target(h)];
         const Point2 u = b - a, w = p - a;
         const double across = u.x * w.y - u.y * w.x;
-        near_an_edge |= across * across <= weld2 * (u.x * u.x + u.y * u.y);
+        near_an_edge |= std::abs(across) <= weld * (std::abs(u.x) + std::abs(u.y));
     }
     if (!near_an_edge) return none;
     return look_around(p, at, weld).vertex;
