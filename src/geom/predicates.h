@@ -43,16 +43,28 @@ inline int orient(const Point& a, const Point& b, const Point& c, const Point& d
     return sign(determinant, (7 + 56 * epsilon) * epsilon * permanent + underflow * (1 + za + zb + zc));
 }
 
-inline int incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
+/// A point as it is seen from another, with the square of its distance.
+struct Seen {
+    double x, y, square;
+};
+
+inline Seen seen(const Point2& p, const Point2& from)
 {
-    const Point2 ad = a - d, bd = b - d, cd = c - d;
-    const double bc = bd.x * cd.y, cb = cd.x * bd.y, ca = cd.x * ad.y, ac = ad.x * cd.y, ab = ad.x * bd.y, ba = bd.x * ad.y;
-    const double la = ad.x * ad.x + ad.y * ad.y, lb = bd.x * bd.x + bd.y * bd.y, lc = cd.x * cd.x + cd.y * cd.y;
-    const double determinant = la * (bc - cb) + lb * (ca - ac) + lc * (ab - ba);
-    const double permanent =
-        (std::abs(bc) + std::abs(cb)) * la + (std::abs(ca) + std::abs(ac)) * lb + (std::abs(ab) + std::abs(ba)) * lc;
-    return sign(determinant, (10 + 96 * epsilon) * epsilon * permanent + underflow * (1 + la + lb + lc));
+    const Point2 d = p - from;
+    return {d.x, d.y, d.x * d.x + d.y * d.y};
 }
+
+/// The sign for the point that a, b and c are seen from.
+inline int incircle(const Seen& a, const Seen& b, const Seen& c)
+{
+    const double bc = b.x * c.y, cb = c.x * b.y, ca = c.x * a.y, ac = a.x * c.y, ab = a.x * b.y, ba = b.x * a.y;
+    const double determinant = a.square * (bc - cb) + b.square * (ca - ac) + c.square * (ab - ba);
+    const double permanent =
+        (std::abs(bc) + std::abs(cb)) * a.square + (std::abs(ca) + std::abs(ac)) * b.square + (std::abs(ab) + std::abs(ba)) * c.square;
+    return sign(determinant, (10 + 96 * epsilon) * epsilon * permanent + underflow * (1 + a.square + b.square + c.square));
+}
+
+inline int incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) { return incircle(seen(a, d), seen(b, d), seen(c, d)); }
 
 inline int insphere(const Point& a, const Point& b, const Point& c, const Point& d, const Point& e)
 {

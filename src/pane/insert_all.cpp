@@ -112,7 +112,7 @@ Index Triangulation::insert_all(std::span<const Point2> points, double weld, std
                 refused = order[i];
                 break;
             }
-            if (const Index there = vertex_within(p, at, weld); there != none) {
+            if (const Index there = look_around(p, at, weld).vertex; there != none) {
                 made[order[i]] = there;
                 double_points.push_back(v);
                 continue;

@@ -45,6 +45,9 @@ public:
     /// Element i for writing; keep() was called for its block since the edit began, or the edit added it.
     T& kept(std::uint32_t i) { return items_[i]; }
 
+    /// All elements for writing, under the same conditions; until add() is called.
+    T* writable() { return items_.data(); }
+
     void keep(std::uint32_t block)
     {
         if (recording_ && block < known_ >> block_bits) [[unlikely]] remember(block);
@@ -54,7 +57,7 @@ public:
     std::uint32_t add(const T& value)
     {
         const std::uint32_t first = size();
-        items_.insert(items_.end(), block_size, value);
+        for (std::uint32_t i = 0; i < block_size; ++i) items_.push_back(value);
         return first;
     }
 

@@ -157,6 +157,7 @@ Index Triangulation::far_start(const Point2& p) const
 Triangulation::Nearby Triangulation::look_around(const Point2& p, const Place& at, double reach, Index ignored) const
 {
     Nearby found;
+    if (at.kind == Place::Kind::face && !is_near_a_side(p, at.side, reach)) return found;
     const double reach2 = reach * reach;
     const auto nearer = [&](Index& best, double& least, Index candidate, double d2) {
         if (d2 > reach2 || (best != none && d2 > least)) return;
@@ -198,20 +199,16 @@ Triangulation::Nearby Triangulation::look_around(const Point2& p, const Place& a
     return found;
 }
 
-/// The vertex nearer than weld, or none: the three of the face, as a rule, and nothing more to look at.
-Index Triangulation::vertex_within(const Point2& p, const Place& at, double weld) const
+/// False only if all of the face's sides, and so all else, are farther away than reach.
+bool Triangulation::is_near_a_side(const Point2& p, Index of_face, double reach) const
 {
-    if (at.kind == Place::Kind::vertex) return origin(at.side);
-    const Index t = face(at.side);
-    bool near_an_edge = false;
-    for (Index h = t; h < t + 3; ++h) {
+    bool near = false;
+    for (Index h = face(of_face); h < (of_face | 3); ++h) {
         const Point2 &a = positions_[origin(h)], &b = positions_[target(h)];
         const Point2 u = b - a, w = p - a;
-        const double across = u.x * w.y - u.y * w.x;
-        near_an_edge |= std::abs(across) <= weld * (std::abs(u.x) + std::abs(u.y));
+        near |= std::abs(u.x * w.y - u.y * w.x) <= reach * (std::abs(u.x) + std::abs(u.y));
     }
-    if (!near_an_edge) return none;
-    return look_around(p, at, weld).vertex;
+    return near;
 }
 
 } // namespace druse

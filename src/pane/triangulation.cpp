@@ -98,7 +98,15 @@ void Triangulation::glue(Index g, Index h, std::uint32_t edge)
     put_bits(h, edge);
 }
 
-void Triangulation::put_bits(Index h, std::uint32_t edge)
+/// h now belongs to an edge whose other side is g; what the edge carries has not changed.
+inline void Triangulation::lead_back(Index h, Index g)
+{
+    if (h == none) return;
+    touch(h);
+    sides_.kept(h).twin = g;
+}
+
+inline void Triangulation::put_bits(Index h, std::uint32_t edge)
 {
     Index& word = side(h | 3).origin;
     word = (word & ~(edge_bits << (h & 3))) | (edge << (h & 3));
@@ -134,53 +142,56 @@ void Triangulation::set_inside(Index h, bool inside)
 
 void Triangulation::split_face(Index h, Index v)
 {
-    const Index t = face(h), kind = flags(t) & inside_bit;
+    const Index t = face(h), word = flags(t), kind = word & inside_bit;
     const Index s = new_face(kind), r = new_face(kind);
     touch(t);
-    const Index b = origin(t + 1), c = origin(t + 2);
-    const Index twin1 = twin(t + 1), twin2 = twin(t + 2);
-    const std::uint32_t bits1 = bits(t + 1), bits2 = bits(t + 2);
+    Side* const sides = sides_.writable();
+    const Index a = sides[t].origin, b = sides[t + 1].origin, c = sides[t + 2].origin;
+    const Index twin1 = sides[t + 1].twin, twin2 = sides[t + 2].twin;
     // t: a b v, s: b c v, r: c a v
-    side(t + 2).origin = v;
-    side(s).origin = b;
-    side(s + 1).origin = c;
-    side(s + 2).origin = v;
-    side(r).origin = c;
-    side(r + 1).origin = origin(t);
-    side(r + 2).origin = v;
-    glue(s, twin1, bits1);
-    glue(r, twin2, bits2);
-    glue(t + 1, s + 2, 0);
-    glue(s + 1, r + 2, 0);
-    glue(r + 1, t + 2, 0);
+    sides[t + 1].twin = s + 2;
+    sides[t + 2] = {v, r + 1};
+    sides[s] = {b, twin1};
+    sides[s + 1] = {c, r + 2};
+    sides[s + 2] = {v, t + 1};
+    sides[r] = {c, twin2};
+    sides[r + 1] = {a, t + 2};
+    sides[r + 2] = {v, s + 1};
+    lead_back(twin1, s);
+    lead_back(twin2, r);
+    if ((word & any_bits) != 0) { // what lay on the second and third side lies on the first of the new faces
+        sides[t | 3].origin = word & (inside_bit | edge_bits);
+        sides[s | 3].origin |= (word >> 1) & edge_bits;
+        sides[r | 3].origin |= (word >> 2) & edge_bits;
+    }
     if (out_[c] == t + 2) set_out(c, r);
     set_out(v, t + 2);
 }
 
 void Triangulation::split_side(Index h, Index v)
 {
-    const Index o = twin(h), hn = next(h), on = next(o), edge = bits(h);
-    const Index s = new_face(flags(h) & inside_bit), r = new_face(flags(o) & inside_bit);
+    const Index o = twin(h), hn = next(h), on = next(o);
+    const std::uint32_t edge = bits(h), bits_n = bits(hn), bits_o = bits(on);
+    const Index s = new_face((flags(h) & inside_bit) | edge | bits_n << 1), r = new_face((flags(o) & inside_bit) | edge | bits_o << 1);
     touch(h);
     touch(o);
-    const Index a = origin(h), b = origin(o), c = apex(h), d = apex(o);
-    const Index twin_n = twin(hn), twin_o = twin(on);
-    const std::uint32_t bits_n = bits(hn), bits_o = bits(on);
+    const Index a = origin(h), b = origin(o), c = apex(h), d = apex(o), twin_n = twin(hn), twin_o = twin(on);
+    Side* const sides = sides_.writable();
     // h: a v c, s: v b c, o: b v d, r: v a d
-    side(hn).origin = v;
-    side(on).origin = v;
-    side(s).origin = v;
-    side(s + 1).origin = b;
-    side(s + 2).origin = c;
-    side(r).origin = v;
-    side(r + 1).origin = a;
-    side(r + 2).origin = d;
-    glue(h, r, edge);
-    glue(o, s, edge);
-    glue(s + 1, twin_n, bits_n);
-    glue(r + 1, twin_o, bits_o);
-    glue(s + 2, hn, 0);
-    glue(r + 2, on, 0);
+    sides[h].twin = r;
+    sides[o].twin = s;
+    sides[hn] = {v, s + 2};
+    sides[on] = {v, r + 2};
+    sides[s] = {v, o};
+    sides[s + 1] = {b, twin_n};
+    sides[s + 2] = {c, hn};
+    sides[r] = {v, h};
+    sides[r + 1] = {a, twin_o};
+    sides[r + 2] = {d, on};
+    lead_back(twin_n, s + 1);
+    lead_back(twin_o, r + 1);
+    put_bits(hn, 0);
+    put_bits(on, 0);
     if (out_[b] == hn) set_out(b, s + 1);
     if (out_[a] == on) set_out(a, r + 1);
     set_out(v, s);
@@ -230,38 +241,54 @@ bool Triangulation::wants_flip(Index h) const
 }
 
 /// Turns the edge a b of the faces a b c and b a d into d c. Afterwards h runs from d to b and twin(h) of before from c to a.
-void Triangulation::flip(Index h)
+inline void Triangulation::flip(Index h)
 {
     const Index o = twin(h), hn = next(h), hp = previous(h), on = next(o), op = previous(o);
     touch(h);
     touch(o);
-    const Index a = origin(h), b = origin(o), c = origin(hp), d = origin(op);
-    const Index twin_h = twin(op), twin_o = twin(hp);
-    const std::uint32_t bits_h = bits(op), bits_o = bits(hp);
-    side(h).origin = d;
-    side(o).origin = c;
-    glue(h, twin_h, bits_h);
-    glue(o, twin_o, bits_o);
-    glue(hp, op, 0);
+    Side* const sides = sides_.writable();
+    const Index a = sides[h].origin, b = sides[o].origin, twin_h = sides[op].twin, twin_o = sides[hp].twin;
+    if (((sides[h | 3].origin | sides[o | 3].origin) & any_bits) != 0) {
+        const std::uint32_t bits_h = bits(op), bits_o = bits(hp);
+        put_bits(h, bits_h);
+        put_bits(o, bits_o);
+        put_bits(hp, 0);
+        put_bits(op, 0);
+    }
+    sides[h] = {sides[op].origin, twin_h};
+    sides[o] = {sides[hp].origin, twin_o};
+    sides[hp].twin = op;
+    sides[op].twin = hp;
+    lead_back(twin_h, h);
+    lead_back(twin_o, o);
     if (out_[a] == h) set_out(a, on);
     if (out_[b] == o) set_out(b, hn);
 }
 
-/// The edges opposite v are the only ones that a new vertex v may have spoilt; a flip puts two others in the place of one.
+/// The edges opposite v are the only ones that a new vertex v may have spoilt; a flip puts two others in the place of one. All is seen from v.
 void Triangulation::legalise_star(Index v)
 {
+    const Point2 p = positions_[v];
     Index h = next(out_[v]);
     const Index stop = origin(h);
+    filter::Seen a = filter::seen(positions_[stop], p), b = filter::seen(positions_[target(h)], p);
     while (true) {
-        if (!is_fixed(h) && wants_flip(h)) {
-            const Index o = twin(h);
-            flip(h);
-            h = next(o);
-        } else if (target(h) == stop) {
-            return;
-        } else {
-            h = next(twin(next(h)));
+        if (!is_fixed(h)) {
+            const Index o = twin(h), d_vertex = apex(o);
+            const filter::Seen d = filter::seen(positions_[d_vertex], p);
+            // d is within the circle through a, b, v where v is without that through a, b, d, which turns the other way.
+            const int sign = filter::incircle(a, b, d);
+            if (sign < 0 || (sign == 0 && incircle_in_order(positions_[origin(h)], positions_[target(h)], p, positions_[d_vertex]) > 0)) {
+                flip(h);
+                h = next(o);
+                b = d;
+                continue;
+            }
         }
+        if (target(h) == stop) return;
+        h = next(twin(next(h)));
+        a = b;
+        b = filter::seen(positions_[target(h)], p);
     }
 }
 

@@ -141,6 +141,7 @@ public:
     std::uint64_t fingerprint() const;
 
 private:
+    static constexpr std::uint32_t any_bits = edge_bits * 7; // of any of the three sides
     static constexpr std::uint32_t inside_bit = 0x10000, dead_bit = 0x20000;
 
     std::uint32_t flags(Index h) const { return sides_[h | 3].origin; }
@@ -153,6 +154,7 @@ private:
     void free_vertex(Index v);
     void glue(Index g, Index h, std::uint32_t bits);
     void put_bits(Index h, std::uint32_t bits);
+    void lead_back(Index h, Index g);
     void split_face(Index h, Index v);
     void split_side(Index h, Index v);
     void join(Index v, const Place& at);
@@ -164,7 +166,7 @@ private:
     void lay_grid() const;
     std::size_t cell(const Point2& p) const;
     void remember(const Point2& p, Index h) const;
-    Index vertex_within(const Point2& p, const Place& at, double weld) const;
+    bool is_near_a_side(const Point2& p, Index of_face, double reach) const;
     void fill_chain(Index base, Index first, Index last);
 
     Journaled<Side, 2> sides_;
