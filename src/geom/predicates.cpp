@@ -3,6 +3,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
 
+#include <cmath>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -102,15 +104,82 @@ int insphere(const Point& a, const Point& b, const Point& c, const Point& d, con
 
 namespace {
 
-// Constructed places are computed in rational numbers and rounded at the end: crossings are rare beside the signs that they lead to.
+/// The sum of two doubles of which the second is at most half a last digit of the first: some 32 decimal digits.
+struct Double2 {
+    double high, low;
+};
+
+Double2 sum(double a, double b)
+{
+    const double s = a + b, part = s - a;
+    return {s, (a - (s - part)) + (b - part)};
+}
+
+Double2 sum(Double2 a, Double2 b)
+{
+    const Double2 s = sum(a.high, b.high), t = sum(a.low, b.low);
+    const Double2 once = sum(s.high, s.low + t.high);
+    return sum(once.high, once.low + t.low);
+}
+
+Double2 product(Double2 a, Double2 b)
+{
+    const double p = a.high * b.high;
+    return sum(p, std::fma(a.high, b.high, -p) + (a.high * b.low + a.low * b.high));
+}
+
+Double2 operator-(Double2 a) { return {-a.high, -a.low}; }
+
+Double2 quotient(Double2 a, Double2 b)
+{
+    const double first = a.high / b.high;
+    const Double2 rest = sum(a, -product({first, 0}, b));
+    return sum(first, rest.high / b.high);
+}
+
+/// a·d − b·c, and whether at least 60 bits of it are right.
+struct Cross {
+    Double2 value;
+    bool good;
+};
+
+Cross cross(Double2 a, Double2 b, Double2 c, Double2 d)
+{
+    const Double2 left = product(a, d), right = product(b, c), value = sum(left, -right);
+    const double size = std::abs(left.high) + std::abs(right.high);
+    return {value, size > 1e-200 && std::abs(value.high) > size * 0x1p-36};
+}
+
+// Where even those digits do not do, places are computed in rational numbers and rounded at the end.
 using Rational = CGAL::Gmpq;
 
-Point2 rounded(const Rational& x, const Rational& y) { return {CGAL::to_double(x), CGAL::to_double(y)}; }
+/// The nearest double; to_double() may be the one beside it.
+double rounded(const Rational& x)
+{
+    const double near = CGAL::to_double(x);
+    const Rational rest = x - Rational(near);
+    if (rest == 0) return near;
+    const double beyond = std::nextafter(near, rest > 0 ? HUGE_VAL : -HUGE_VAL);
+    return CGAL::abs(Rational(beyond) - x) < CGAL::abs(rest) ? beyond : near;
+}
+
+Point2 rounded(const Rational& x, const Rational& y) { return {rounded(x), rounded(y)}; }
+
+Point2 along(const Point2& a, Double2 t, Double2 ux, Double2 uy)
+{
+    const Double2 x = sum({a.x, 0}, product(t, ux)), y = sum({a.y, 0}, product(t, uy));
+    return {x.high + x.low, y.high + y.low};
+}
 
 } // namespace
 
 Point2 crossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
 {
+    {
+        const Double2 ux = sum(b.x, -a.x), uy = sum(b.y, -a.y), vx = sum(d.x, -c.x), vy = sum(d.y, -c.y), wx = sum(c.x, -a.x), wy = sum(c.y, -a.y);
+        const Cross n = cross(wx, wy, vx, vy), m = cross(ux, uy, vx, vy);
+        if (n.good && m.good) return along(a, quotient(n.value, m.value), ux, uy);
+    }
     const Rational ux = Rational(b.x) - Rational(a.x), uy = Rational(b.y) - Rational(a.y);
     const Rational vx = Rational(d.x) - Rational(c.x), vy = Rational(d.y) - Rational(c.y);
     const Rational wx = Rational(c.x) - Rational(a.x), wy = Rational(c.y) - Rational(a.y);
@@ -120,6 +189,15 @@ Point2 crossing(const Point2& a, const Point2& b, const Point2& c, const Point2&
 
 Point2 foot(const Point2& p, const Point2& a, const Point2& b)
 {
+    {
+        const Double2 ux = sum(b.x, -a.x), uy = sum(b.y, -a.y), wx = sum(p.x, -a.x), wy = sum(p.y, -a.y);
+        const Cross n = cross(wx, wy, -uy, ux), m = cross(ux, uy, -uy, ux); // wx ux + wy uy
+        if (n.good && m.good) {
+            if (n.value.high <= 0) return a;
+            if (sum(n.value, -m.value).high >= 0) return b;
+            return along(a, quotient(n.value, m.value), ux, uy);
+        }
+    }
     const Rational ux = Rational(b.x) - Rational(a.x), uy = Rational(b.y) - Rational(a.y);
     const Rational t = ((Rational(p.x) - Rational(a.x)) * ux + (Rational(p.y) - Rational(a.y)) * uy) / (ux * ux + uy * uy);
     if (t <= 0) return a;

@@ -247,6 +247,42 @@ TYPED_TEST(Predicates, AreZeroWherePointsCoincide)
     }
 }
 
+// --- constructed places -----------------------------------------------------------------------------------------------------------
+
+TEST(ConstructedPlaces, MissTheTrueOnesByTheirRoundingOnly)
+{
+    Source source(11);
+    for (const double scale : {1.0, 1e140, 1e-130})
+        for (int i = 0; i < 2000; ++i) {
+            const Point2 m = source.anywhere<Point2>(), u = source.anywhere<Point2>() * (i % 3 == 0 ? 1e-9 : 1.0);
+            const Point2 v = i % 2 == 0 ? source.anywhere<Point2>() : u + 1e-12 * source.anywhere<Point2>(); // half of them all but parallel
+            const Point2 a = scale * (m - u), b = scale * (m + u), c = scale * (m - v), d = scale * (m + v);
+            if (orient(a, b, c) * orient(a, b, d) >= 0 || orient(c, d, a) * orient(c, d, b) >= 0) continue;
+            const mpq_class ux = mpq_class(b.x) - mpq_class(a.x), uy = mpq_class(b.y) - mpq_class(a.y);
+            const mpq_class vx = mpq_class(d.x) - mpq_class(c.x), vy = mpq_class(d.y) - mpq_class(c.y);
+            const mpq_class t = ((mpq_class(c.x) - mpq_class(a.x)) * vy - (mpq_class(c.y) - mpq_class(a.y)) * vx) / (ux * vy - uy * vx);
+            const Point2 x = crossing(a, b, c, d), p = scale * source.anywhere<Point2>(), f = foot(p, a, b);
+            mpq_class s = ((mpq_class(p.x) - mpq_class(a.x)) * ux + (mpq_class(p.y) - mpq_class(a.y)) * uy) / (ux * ux + uy * uy);
+            if (s < 0) s = 0;
+            if (s > 1) s = 1;
+            for (int k = 0; k < 2; ++k) {
+                const mpq_class line = k == 0 ? ux : uy, origin = mpq_class(a[k]);
+                EXPECT_LE(std::abs(mpq_class(mpq_class(x[k]) - origin - t * line).get_d()), std::abs(x[k]) * 0x1.01p-53) << i;
+                EXPECT_LE(std::abs(mpq_class(mpq_class(f[k]) - origin - s * line).get_d()), std::abs(f[k]) * 0x1.01p-53) << i;
+            }
+        }
+}
+
+TEST(PredicateSigns, BreakTiesOfACircleAtItsFirstPoint)
+{
+    // A square: of its two diagonals the one from the lower left corner is kept, whichever way round and from whichever side it is asked.
+    const std::array<Point2, 4> p{Point2(0, 0), Point2(1, 0), Point2(1, 1), Point2(0, 1)};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const int expected = i % 2 == 0 ? -1 : 1; // the diagonal i, i + 2: 0–2 stays, 1–3 goes
+        EXPECT_EQ(incircle_in_order(p[i], p[(i + 2) % 4], p[(i + 3) % 4], p[(i + 1) % 4]), expected);
+    }
+}
+
 // --- conventions ------------------------------------------------------------------------------------------------------------------
 
 TEST(PredicateSigns, AreThoseOfTheDocumentation)
