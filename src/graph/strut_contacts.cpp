@@ -3,7 +3,7 @@
 #include "dlfl/triangulate.h"
 #include "geom/box_tree.h"
 #include "geom/segments.h"
-#include "geom/triangle_contact.h"
+#include "graph/strut_part.h"
 
 #include <algorithm>
 
@@ -11,49 +11,12 @@ namespace druse {
 
 namespace {
 
-/// The triangles of one part.
-class PartTriangles {
-public:
-    explicit PartTriangles(const Mesh& mesh) : mesh_(mesh) {}
-
-    void gather(const std::vector<Face>& faces)
-    {
-        triangles_.clear();
-        whole_ = Box();
-        for (const Face f : faces)
-            for (const auto& [a, b, c] : triangulator_.triangles(mesh_, f)) {
-                Part part{{mesh_.position(a), mesh_.position(b), mesh_.position(c)}, {}, {}, f};
-                part.shadow = shadow_of(part.corners);
-                if (part.shadow.turn == 0) continue;
-                for (const Point& p : part.corners) {
-                    part.box.add(p);
-                    whole_.add(p);
-                }
-                triangles_.push_back(part);
-            }
-    }
-
-    struct Part {
-        Triangle corners;
-        Shadow shadow;
-        Box box;
-        Face face;
-    };
-    const std::vector<Part>& triangles() const { return triangles_; }
-    const Box& box() const { return whole_; }
-
-private:
-    const Mesh& mesh_;
-    Triangulator triangulator_;
-    std::vector<Part> triangles_;
-    Box whole_;
-};
-
-bool overlap(const Box& a, const Box& b)
+/// The triangles of faces, as they are cut for printing.
+void gather(const Mesh& mesh, const std::vector<Face>& faces, Triangulator& triangulator, PartTriangles& out)
 {
-    for (int k = 0; k < 3; ++k)
-        if (a.min[k] > b.max[k] || b.min[k] > a.max[k]) return false;
-    return true;
+    out.clear();
+    for (const Face f : faces)
+        for (const auto& [a, b, c] : triangulator.triangles(mesh, f)) out.add({mesh.position(a), mesh.position(b), mesh.position(c)}, f);
 }
 
 } // namespace
@@ -155,25 +118,24 @@ StrutContacts StrutNeighbours::contacts(const StrutSurface& surface, const std::
     const Mesh& mesh = surface.mesh;
     StrutContacts result;
     FaceData<bool> meets(mesh, false);
-    PartTriangles first(mesh), second(mesh);
+    PartTriangles first, second;
+    Triangulator triangulator;
     std::vector<Face> faces;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (i % 64 == 0) progress.step(double(i) / double(pairs.size()));
         if (i == 0 || pairs[i][0] != pairs[i - 1][0]) {
             list_faces(surface.table, pairs[i][0], faces);
-            first.gather(faces);
+            gather(mesh, faces, triangulator, first);
         }
         list_faces(surface.table, pairs[i][1], faces);
-        second.gather(faces);
-        if (!overlap(first.box(), second.box())) continue;
-        for (const auto& a : first.triangles()) {
-            if (!overlap(a.box, second.box())) continue;
-            for (const auto& b : second.triangles())
-                if (overlap(a.box, b.box) && meet_beyond_common(a.corners, a.shadow, b.corners)) {
-                    ++result.pairs;
-                    meets[a.face] = meets[b.face] = true;
-                }
-        }
+        gather(mesh, faces, triangulator, second);
+        const std::uint64_t before = result.pairs;
+        first.for_each_contact(second, [&](const auto& a, const auto& b) {
+            ++result.pairs;
+            meets[a.face] = meets[b.face] = true;
+            return true;
+        });
+        if (result.pairs > before) result.parts.push_back(pairs[i]);
     }
     for (const Face f : mesh.faces())
         if (meets[f]) result.faces.push_back(f);

@@ -15,8 +15,9 @@ using PartPair = std::array<std::uint32_t, 2>;
 
 /// Where parts of a surface meet.
 struct StrutContacts {
-    std::uint64_t pairs = 0; // of triangles
-    std::vector<Face> faces; // that hold one of them, ascending
+    std::uint64_t pairs = 0;     // of triangles
+    std::vector<Face> faces;     // that hold one of them, ascending
+    std::vector<PartPair> parts; // that do
 };
 
 /// Tells which parts of struts may meet where the graph does not join them.

@@ -95,7 +95,7 @@ void StrutPlacer::place_leaf(StrutPlacement& p, std::uint32_t v, double wanted, 
     }
 }
 
-StrutPlacement StrutPlacer::place(double factor) const
+StrutPlacement StrutPlacer::place(double factor, std::span<const double> of_vertices) const
 {
     const auto vertices = static_cast<std::uint32_t>(graph_.vertices.size());
     StrutPlacement p;
@@ -111,6 +111,7 @@ StrutPlacement StrutPlacer::place(double factor) const
             half_angle = std::min(half_angle, half_angle_[end]);
         }
         wanted[v] = factor * shape_.radius * (shape_.scale == StrutScale::length ? sum / double(ends.size()) : 1.0);
+        if (!of_vertices.empty()) wanted[v] *= of_vertices[v];
         const double bound = 0.95 * shortest / 2;
         if (ends.size() == 1) {
             place_leaf(p, v, wanted[v], bound);

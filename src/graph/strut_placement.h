@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace druse {
@@ -16,7 +17,7 @@ struct StrutPlacement {
     };
     std::vector<End> ends;       // by end of an edge: Incidence
     std::vector<double> reach;   // by vertex, the radius of the sphere around it that holds the corners of its polygons
-    std::uint32_t thinned = 0;   // polygons smaller than asked for
+    std::uint32_t thinned = 0;   // polygons smaller than asked for, not counting factors
     double least = 1;            // the smallest part of what was asked for,
     std::uint32_t least_at = 0;  // and the vertex where it is
 };
@@ -30,8 +31,8 @@ public:
     /// Precondition: a clean graph. @throws CommandError for two edges that leave a vertex in nearly the same direction
     StrutPlacer(const Graph& graph, const Incidence& incidence, const StrutShape& shape);
 
-    /// With the radius times `factor`. Cost: O(edges).
-    StrutPlacement place(double factor = 1) const;
+    /// With the radius times `factor`, and at each vertex times its own where there are any. Cost: O(edges).
+    StrutPlacement place(double factor = 1, std::span<const double> of_vertices = {}) const;
     /// The largest factor, at most 1, with which no polygon is smaller than asked for.
     double fitting_factor() const;
 

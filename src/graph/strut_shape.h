@@ -7,7 +7,7 @@ enum class StrutFrame { automatic, normal, axis };
 enum class StrutCap { flat, round, point };
 enum class StrutFit { shrink, error };
 enum class Crossings { error, split, ignore };
-enum class Clearance { warn, shrink, error, off };
+enum class Clearance { warn, thin, shrink, error, off };
 
 /// How thick the edges of a graph become, and how they meet. Angles are in degrees.
 struct StrutShape {

@@ -6,6 +6,7 @@
 #include "geom/do_both.h"
 #include "geom/predicates.h"
 #include "graph/strut_ball.h"
+#include "graph/strut_rim.h"
 
 #include <fmt/format.h>
 
@@ -20,45 +21,14 @@ namespace {
 
 constexpr std::uint32_t worth_a_thread = 512; // ends of edges
 
-/// The directions, square to each other and to an edge, that corners are counted from.
-struct Axes {
-    Vector f, g; // f × g runs along the edge
-};
-
-Axes axes_of(const Graph& graph, const StrutPlacer& placer, StrutFrame frame, std::uint32_t edge)
-{
-    const Vector& along = placer.direction(edge);
-    const auto square_to_edge = [&along](const Vector& v) { return v - glm::dot(v, along) * along; };
-    Vector f(0.0);
-    if (frame != StrutFrame::axis && !graph.normals.empty()) f = unit(square_to_edge(graph.normals[edge]), 1e-3);
-    if (f == Vector(0.0)) {
-        const bool steep = std::abs(along.z) > std::cos(radians(26));
-        f = unit(square_to_edge(steep ? Vector(1, 0, 0) : Vector(0, 0, 1)));
-    }
-    return {f, glm::cross(along, f)};
-}
-
-/// Points on a circle, as steps along the two axes.
-std::vector<Point2> circle(int sides, double phase)
-{
-    std::vector<Point2> points;
-    for (int k = 0; k < sides; ++k) {
-        const double angle = 2 * pi * k / sides + radians(phase);
-        points.emplace_back(std::cos(angle), std::sin(angle));
-    }
-    return points;
-}
-
 class SurfaceMaker {
 public:
     SurfaceMaker(const Graph& graph, const Incidence& incidence, const StrutPlacer& placer, const StrutPlacement& placement, const StrutShape& shape,
                  Progress& progress)
         : graph_(graph), incidence_(incidence), placer_(placer), placement_(placement), shape_(shape), progress_(progress),
-          n_(static_cast<std::uint32_t>(shape.sides)), ends_(static_cast<std::uint32_t>(2 * graph.edges.size())), rims_(std::size_t(n_) * ends_)
+          rim_placer_(graph, placer, shape), n_(static_cast<std::uint32_t>(shape.sides)), ends_(static_cast<std::uint32_t>(2 * graph.edges.size())),
+          rims_(std::size_t(n_) * ends_)
     {
-        // A whole number of sides of the twist only renames corners; the nearest one leaves the least to turn.
-        const double side = 360.0 / shape.sides, rest = shape.twist - side * std::round(shape.twist / side);
-        twist_ = std::abs(rest) > 1e-9 ? rest : 0.0;
     }
 
     StrutSurface make();
@@ -79,26 +49,15 @@ private:
     const StrutPlacement& placement_;
     const StrutShape& shape_;
     Progress& progress_;
+    RimPlacer rim_placer_;
     std::uint32_t n_, ends_;
-    double twist_ = 0;
     std::vector<Point> rims_;
     MeshBuilder builder_;
 };
 
 void SurfaceMaker::place_rims(std::uint32_t from, std::uint32_t to)
 {
-    const std::vector<Point2> steps[2] = {circle(shape_.sides, shape_.phase), circle(shape_.sides, shape_.phase + twist_)};
-    for (std::uint32_t e = from; e < to; ++e) {
-        const Axes axes = axes_of(graph_, placer_, shape_.frame, e);
-        for (const std::uint32_t side : {0u, 1u}) {
-            const std::uint32_t end = 2 * e + side, v = graph_.edges[e][side];
-            const auto& [radius, height] = placement_.ends[end];
-            const CoordinateGrid grid(graph_.vertices[v], placement_.reach[v]);
-            const Point center = graph_.vertices[v] + (side == 0 ? height : -height) * placer_.direction(e);
-            Point* corner = rims_.data() + std::size_t(end) * n_;
-            for (const Point2& step : steps[side]) *corner++ = grid(center + radius * (step.x * axes.f + step.y * axes.g));
-        }
-    }
+    for (std::uint32_t e = from; e < to; ++e) rim_placer_.place(placement_, e, rims_.data() + std::size_t(2) * n_ * e);
 }
 
 void SurfaceMaker::make_balls(std::uint32_t from, std::uint32_t to, BallFaces& out)
@@ -156,15 +115,15 @@ void SurfaceMaker::put_struts()
         const std::uint32_t a = 2 * e * n_, b = a + n_;
         int diagonal = shape_.triangulate ? 1 : 0;
         // Of the two ways to cut a skew quad one folds outward; it is the same all round.
-        if (twist_ != 0) diagonal = orient(rims_[a], rims_[a + 1], rims_[b + 1], rims_[b]) < 0 ? 1 : -1;
+        if (rim_placer_.twist() != 0) diagonal = orient(rims_[a], rims_[a + 1], rims_[b + 1], rims_[b]) < 0 ? 1 : -1;
         put_band(a, b, strut_group::strut, diagonal);
     }
 }
 
 void SurfaceMaker::put_ring(std::uint32_t end, const Point& center, double radius)
 {
-    const Axes axes = axes_of(graph_, placer_, shape_.frame, end / 2);
-    for (const Point2& step : circle(shape_.sides, shape_.phase + (end % 2 == 1 ? twist_ : 0.0)))
+    const StrutAxes axes = strut_axes(graph_, placer_, shape_.frame, end / 2);
+    for (const Point2& step : rim_placer_.circle(end))
         builder_.add_vertex(center + radius * (step.x * axes.f + step.y * axes.g));
 }
 

@@ -6,11 +6,13 @@
 #include "graph/split_crossings.h"
 #include "graph/strut_contacts.h"
 #include "graph/strut_surface.h"
+#include "graph/strut_thinning.h"
 #include "ops/graph.h"
 #include "ops/group.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace druse {
@@ -19,6 +21,7 @@ namespace {
 
 constexpr std::uint64_t most_strut_edges = 20'000'000;
 constexpr double crossing_reach = 1e-9; // of the diagonal
+constexpr int most_rounds = 32;
 constexpr Colour crossing_colour{230, 30, 30};
 
 /// The graph that the document holds, or one of the edges of its mesh.
@@ -62,6 +65,8 @@ std::optional<std::string> complaint(const CleanGraph& clean, const std::vector<
     const Crossing& c = found.front();
     return fmt::format("edges {} and {} cross at {:.6g},{:.6g},{:.6g}; crossings=split joins them", name(clean, c.first), name(clean, c.second), c.place.x, c.place.y, c.place.z);
 }
+
+std::string never_apart(const char* word) { return fmt::format("clearance={}: edges meet, so no radius keeps their struts apart", word); }
 
 void check_fit(const Work& work, const StrutPlacement& placement, const Struts& p, Context& context)
 {
@@ -134,21 +139,39 @@ void make_struts(Scene& scene, const Struts& p, Context& context)
     std::erase_if(pairs, [&](const PartPair& pair) { return !work->neighbours.is_near(pair, placement); });
     if (p.clearance == Clearance::shrink && !pairs.empty()) {
         const double factor = clearing_factor(work->neighbours, work->placer, pairs);
-        if (!(factor > 0)) throw CommandError("clearance=shrink: edges meet, so no radius keeps their struts apart");
+        if (!(factor > 0)) throw CommandError(never_apart("shrink"));
         context.note(fmt::format("radius lowered to {:.6g}, so that nothing meets", p.radius * factor));
         placement = work->placer.place(factor);
         pairs.clear();
+    }
+    std::vector<double> factors;
+    if (p.clearance == Clearance::thin && !pairs.empty()) {
+        factors.assign(work->clean.graph.vertices.size(), 1.0);
+        if (!thin_out(work->clean.graph, work->incidence, work->placer, p, pairs, factors, context.progress)) throw CommandError(never_apart("thin"));
+        placement = work->placer.place(1, factors);
+        pairs = work->neighbours.near(placement, 0, context.progress);
     }
     check_fit(*work, placement, p, context);
 
     const std::uint64_t edges = count_edges(work->clean.graph, work->incidence, p);
     if (edges > most_strut_edges) throw CommandError(fmt::format("would make {} million edges, more than {} million", edges / 1'000'000, most_strut_edges / 1'000'000));
     StrutSurface made = strut_surface(work->clean.graph, work->incidence, work->placer, placement, p, context.progress);
-    const StrutContacts met = work->neighbours.contacts(made, pairs, context.progress);
+    StrutContacts met = work->neighbours.contacts(made, pairs, context.progress);
+    for (int round = 0; p.clearance == Clearance::thin && met.pairs > 0; ++round) { // caps, and what thinner balls uncovered
+        if (round == most_rounds) throw CommandError(never_apart("thin"));
+        for (const PartPair& pair : met.parts) thin(work->clean.graph, pair, factors);
+        placement = work->placer.place(1, factors);
+        pairs = work->neighbours.near(placement, 0, context.progress);
+        made = strut_surface(work->clean.graph, work->incidence, work->placer, placement, p, context.progress);
+        met = work->neighbours.contacts(made, pairs, context.progress);
+    }
+    if (const auto thinner = std::count_if(factors.begin(), factors.end(), [](double factor) { return factor < 1; }); thinner > 0)
+        context.note(fmt::format("{} thinned, so that nothing meets, least to {:.2g}", thinner == 1 ? "1 vertex" : fmt::format("{} vertices", thinner),
+                                 *std::min_element(factors.begin(), factors.end())));
     if (met.pairs > 0) {
         const std::string text = met.pairs == 1 ? "1 pair of triangles crosses" : fmt::format("{} pairs of triangles cross", met.pairs);
-        if (p.clearance == Clearance::error) throw CommandError(text + "; a smaller radius or clearance=shrink keeps struts apart");
-        context.note(text + " where struts come too near each other; clearance=shrink keeps them apart");
+        if (p.clearance == Clearance::error) throw CommandError(text + "; a smaller radius or clearance=thin keeps struts apart");
+        context.note(text + " where struts come too near each other; clearance=thin keeps them apart");
     }
     graph.struts = std::move(made.table);
     graph.struts.vertex_ids = std::move(work->clean.vertex_ids);
@@ -175,7 +198,7 @@ Operator graph_struts_operator()
         .param(&P::cap, "cap", words({"flat", "round", "point"}), "how struts end at vertices with one edge")
         .param(&P::fit, "fit", words({"shrink", "error"}), "where a polygon has to be smaller than asked for: make it so, or refuse")
         .param(&P::crossings, "crossings", words({"error", "split", "ignore"}), "edges that meet away from vertices: refuse, put a vertex there, or do not look")
-        .param(&P::clearance, "clearance", words({"warn", "shrink", "error", "off"}), "struts that cross: say so and colour them, make all thinner, refuse, or do not look")
+        .param(&P::clearance, "clearance", words({"warn", "thin", "shrink", "error", "off"}), "struts that cross: say so and colour them, thin those, thin all, refuse, or do not look")
         .param(&P::merge, "merge", "join coplanar triangles of the balls into polygons")
         .param(&P::triangulate, "triangulate", "make triangles only")
         .param(&P::keep, "keep", "keep the mesh too")

@@ -146,16 +146,19 @@ TEST(Struts, SayAndColourWhereTheyCrossOrAreMadeThinner)
     Scene warned = scene_of(two_bars(0.15)), off = warned, thinner = warned, apart = scene_of(two_bars(0.21));
     const Notes said = notes(warned, "graph.struts", thick);
     ASSERT_EQ(said.size(), 1u);
-    EXPECT_EQ(said[0], std::to_string(crossings(warned)) + " pairs of triangles cross where struts come too near each other; clearance=shrink keeps them apart");
+    EXPECT_EQ(said[0], std::to_string(crossings(warned)) + " pairs of triangles cross where struts come too near each other; clearance=thin keeps them apart");
     EXPECT_GT(crossings(warned), 0u);
     EXPECT_EQ(warned.groups->name(4), "crossing");
     EXPECT_EQ(existing_groups(warned.mesh).back(), 4);
 
     EXPECT_EQ(notes(off, "graph.struts", with("off")), Notes{});
+    Scene thinned = scene_of(two_bars(0.15));
+    EXPECT_EQ(notes(thinned, "graph.struts", with("thin")), Notes{"4 vertices thinned, so that nothing meets, least to 0.64"}); // 0.8 of 0.1 is still too much
+    EXPECT_EQ(crossings(thinned), 0u);
     EXPECT_EQ(notes(thinner, "graph.struts", with("shrink")), Notes{"radius lowered to 0.075, so that nothing meets"}); // half of how far apart they are
     EXPECT_EQ(crossings(thinner), 0u);
     EXPECT_EQ(notes(apart, "graph.struts", thick), Notes{});
-    EXPECT_EQ(complaint(scene_of(two_bars(0.15)), "graph.struts", with("error")).substr(2), " pairs of triangles cross; a smaller radius or clearance=shrink keeps struts apart");
+    EXPECT_EQ(complaint(scene_of(two_bars(0.15)), "graph.struts", with("error")).substr(2), " pairs of triangles cross; a smaller radius or clearance=thin keeps struts apart");
     // Nearer than spheres and cylinders may be, but squares on their corners: these two stand apart.
     Scene squares = scene_of(two_bars(0.15));
     EXPECT_EQ(notes(squares, "graph.struts", {{"radius", "0.1"}, {"scale", "absolute"}, {"sides", "4"}, {"phase", "45"}}), Notes{});

@@ -1,0 +1,114 @@
+#include "graph/strut_thinning.h"
+
+#include "geom/predicates.h"
+#include "graph/strut_ball.h"
+#include "graph/strut_part.h"
+#include "graph/strut_rim.h"
+
+#include <algorithm>
+
+namespace druse {
+
+namespace {
+
+constexpr double step = 0.8;
+constexpr int most_steps = 32; // to less than a thousandth
+
+/// Makes single parts, in triangles.
+class PartMaker {
+public:
+    PartMaker(const Graph& graph, const Incidence& incidence, const StrutPlacer& placer, const StrutShape& shape)
+        : graph_(graph), incidence_(incidence), shape_(in_triangles(shape)), rim_placer_(graph, placer, shape_), n_(static_cast<std::uint32_t>(shape.sides)),
+          rims_(std::size_t(2) * n_ * graph.edges.size()), ball_maker_(graph, incidence, placer, placement, shape_, rims_)
+    {
+    }
+
+    StrutPlacement placement; // of what is made from now on
+
+    void make(std::uint32_t part, PartTriangles& out)
+    {
+        out.clear();
+        const auto edges = static_cast<std::uint32_t>(graph_.edges.size());
+        if (part < edges) make_strut(part, out);
+        else make_ball(part - edges, out);
+    }
+
+private:
+    static StrutShape in_triangles(StrutShape shape)
+    {
+        shape.triangulate = true;
+        return shape;
+    }
+    Point* place(std::uint32_t edge)
+    {
+        Point* const rims = rims_.data() + std::size_t(2) * n_ * edge;
+        rim_placer_.place(placement, edge, rims);
+        return rims;
+    }
+    void make_strut(std::uint32_t edge, PartTriangles& out)
+    {
+        const Point *const a = place(edge), *const b = a + n_;
+        const bool from_first = rim_placer_.twist() == 0 || orient(a[0], a[1], b[1], b[0]) < 0; // as the surface is cut
+        for (std::uint32_t k = 0; k < n_; ++k) {
+            const std::uint32_t l = k + 1 < n_ ? k + 1 : 0;
+            out.add({a[k], a[l], from_first ? b[l] : b[k]});
+            out.add({from_first ? a[k] : a[l], b[l], b[k]});
+        }
+    }
+    void make_ball(std::uint32_t v, PartTriangles& out)
+    {
+        for (const std::uint32_t end : incidence_.ends(v)) place(end / 2);
+        faces_.corners.clear();
+        faces_.apexes.clear();
+        ball_maker_.make(v, faces_);
+        const auto corner = [this](std::size_t i) { return faces_.corners[i] & BallFaces::apex ? faces_.apexes[0] : rims_[faces_.corners[i]]; };
+        for (std::size_t i = 0; i < faces_.corners.size(); i += 3) out.add({corner(i), corner(i + 1), corner(i + 2)});
+    }
+
+    const Graph& graph_;
+    const Incidence& incidence_;
+    StrutShape shape_;
+    RimPlacer rim_placer_;
+    std::uint32_t n_;
+    std::vector<Point> rims_; // those that were asked for
+    BallMaker ball_maker_;
+    BallFaces faces_;
+};
+
+} // namespace
+
+void thin(const Graph& graph, const PartPair& pair, std::vector<double>& factors)
+{
+    const auto edges = static_cast<std::uint32_t>(graph.edges.size());
+    for (const std::uint32_t part : pair) {
+        if (part >= edges) factors[part - edges] *= step;
+        else
+            for (const std::uint32_t v : graph.edges[part]) factors[v] *= step;
+    }
+}
+
+bool thin_out(const Graph& graph, const Incidence& incidence, const StrutPlacer& placer, const StrutShape& shape, const std::vector<PartPair>& pairs,
+              std::vector<double>& factors, Progress& progress)
+{
+    PartMaker maker(graph, incidence, placer, shape);
+    PartTriangles first, second;
+    std::vector<PartPair> left = pairs, met;
+    for (int round = 0; round < most_steps; ++round) {
+        progress.step(double(round) / most_steps);
+        maker.placement = placer.place(1, factors);
+        met.clear();
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            if (i == 0 || left[i][0] != left[i - 1][0]) maker.make(left[i][0], first);
+            maker.make(left[i][1], second);
+            bool meet = false;
+            first.for_each_contact(second, [&meet](const auto&, const auto&) { return !(meet = true); });
+            if (meet) met.push_back(left[i]);
+        }
+        if (met.empty()) return true;
+        for (const PartPair& pair : met) thin(graph, pair, factors);
+        std::swap(left, met);
+    }
+    return false;
+}
+
+} // namespace druse
