@@ -39,8 +39,8 @@ draw truncation_06_notch --size 560x500 --edges --groups --view 112,32
 draw truncation_08_wall --size 720x440 --groups --view 20,14
 draw rind_01_elephant --size 600x460 --view 35,18
 for figure in rind_02_balls rind_02_links rind_03_branching rind_05_hall; do draw "$figure" --size 480x460; done
-draw strut_01_wombat --size 600x460 --view 35,18
-draw strut_03_diamond --size 480x460 --view 22,18
-draw strut_04_double_diamond --size 480x460 --groups --view 22,18
+draw strut_01_wombat --size 480x380 --view 35,18
+draw strut_03_diamond --size 440x420 --view 22,18
+draw strut_04_double_diamond --size 420x400 --groups --view 22,18
 draw strut_05_triamond --size 480x460 --view 40,30
 draw strut_06_double_triamond --size 480x460 --groups --view 40,30

@@ -121,7 +121,7 @@ StrutContacts StrutNeighbours::contacts(const StrutSurface& surface, const std::
     PartTriangles first, second;
     Triangulator triangulator;
     std::vector<Face> faces;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
+    for (std::size_t i = 0; i < pairs.size() && result.pairs < StrutContacts::most; ++i) {
         if (i % 64 == 0) progress.step(double(i) / double(pairs.size()));
         if (i == 0 || pairs[i][0] != pairs[i - 1][0]) {
             list_faces(surface.table, pairs[i][0], faces);
@@ -131,9 +131,8 @@ StrutContacts StrutNeighbours::contacts(const StrutSurface& surface, const std::
         gather(mesh, faces, triangulator, second);
         const std::uint64_t before = result.pairs;
         first.for_each_contact(second, [&](const auto& a, const auto& b) {
-            ++result.pairs;
             meets[a.face] = meets[b.face] = true;
-            return true;
+            return ++result.pairs < StrutContacts::most;
         });
         if (result.pairs > before) result.parts.push_back(pairs[i]);
     }

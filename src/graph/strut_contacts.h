@@ -15,6 +15,7 @@ using PartPair = std::array<std::uint32_t, 2>;
 
 /// Where parts of a surface meet.
 struct StrutContacts {
+    static constexpr std::uint64_t most = 10'000; // pairs of triangles to look for
     std::uint64_t pairs = 0;     // of triangles
     std::vector<Face> faces;     // that hold one of them, ascending
     std::vector<PartPair> parts; // that do
@@ -33,7 +34,7 @@ public:
     std::vector<PartPair> near(const StrutPlacement& placement, double least, Progress& progress) const;
     /// Whether two parts may meet.
     bool is_near(const PartPair& pair, const StrutPlacement& placement) const;
-    /// Finds triangles of pairs of parts that meet. Exact, as self_intersections(). Cost: O(triangles) for each pair. @throws Cancelled
+    /// Finds triangles of pairs of parts that meet, until there are too many. Exact, as self_intersections(). Cost: O(triangles) for each pair. @throws Cancelled
     StrutContacts contacts(const StrutSurface& surface, const std::vector<PartPair>& pairs, Progress& progress) const;
 
 private:

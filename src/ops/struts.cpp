@@ -169,7 +169,8 @@ void make_struts(Scene& scene, const Struts& p, Context& context)
         context.note(fmt::format("{} thinned, so that nothing meets, least to {:.2g}", thinner == 1 ? "1 vertex" : fmt::format("{} vertices", thinner),
                                  *std::min_element(factors.begin(), factors.end())));
     if (met.pairs > 0) {
-        const std::string text = met.pairs == 1 ? "1 pair of triangles crosses" : fmt::format("{} pairs of triangles cross", met.pairs);
+        const std::string text = met.pairs == 1 ? "1 pair of triangles crosses"
+                                                : fmt::format("{} pairs of triangles{} cross", met.pairs, met.pairs < StrutContacts::most ? "" : " or more");
         if (p.clearance == Clearance::error) throw CommandError(text + "; a smaller radius or clearance=thin keeps struts apart");
         context.note(text + " where struts come too near each other; clearance=thin keeps them apart");
     }

@@ -9,13 +9,11 @@
 #include "graph/graph_facts.h"
 #include "graph/lattice.h"
 #include "graph/strut_contacts.h"
-#include "graph/strut_thinning.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -293,37 +291,6 @@ TEST_P(RandomGraphs, BecomeSolidsThatMeetThemselvesOnlyWhereTheyAreNear)
     EXPECT_GE(clear, 5);
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomGraphs, testing::Range(0u, 10u));
-
-TEST(StrutSurface, MeetsItselfNowhereWhenThinnedOut)
-{
-    Progress progress;
-    int crossed = 0;
-    for (unsigned seed = 0; seed < 20; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937 random(seed);
-        std::uniform_real_distribution<double> at(0, 1);
-        Graph graph;
-        for (std::uint32_t i = 0; i < 14; ++i) graph.vertices.emplace_back(at(random), at(random), at(random));
-        for (std::uint32_t i = 0; i < 14; ++i)
-            for (std::uint32_t j = i + 1; j < 14; ++j)
-                if (glm::distance(graph.vertices[i], graph.vertices[j]) < 0.5) graph.edges.push_back({i, j});
-        GraphRepairs repairs;
-        graph = cleaned(graph, 0, repairs).graph;
-        const StrutShape shape{.radius = 0.04, .scale = StrutScale::absolute};
-        const Incidence incidence(graph);
-        const StrutPlacer placer(graph, incidence, shape);
-        const StrutNeighbours neighbours(graph, incidence);
-        const StrutPlacement thick = placer.place();
-        const std::vector<PartPair> pairs = neighbours.near(thick, 0, progress);
-        crossed += neighbours.contacts(strut_surface(graph, incidence, placer, thick, shape, progress), pairs, progress).pairs > 0;
-        std::vector<double> factors(graph.vertices.size(), 1.0);
-        ASSERT_TRUE(thin_out(graph, incidence, placer, shape, pairs, factors, progress));
-        const Mesh thin = strut_surface(graph, incidence, placer, placer.place(1, factors), shape, progress).mesh;
-        EXPECT_EQ(self_intersections(thin, progress).pairs, 0u);
-        EXPECT_GT(*std::max_element(factors.begin(), factors.end()), 0.5); // others stay as they are
-    }
-    EXPECT_GT(crossed, 5);
-}
 
 TEST(StrutSurface, RefusesWhatCoordinatesCannotTell)
 {

@@ -6,6 +6,8 @@
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
+#include <random>
+
 namespace druse {
 namespace {
 
@@ -163,6 +165,28 @@ TEST(Struts, SayAndColourWhereTheyCrossOrAreMadeThinner)
     Scene squares = scene_of(two_bars(0.15));
     EXPECT_EQ(notes(squares, "graph.struts", {{"radius", "0.1"}, {"scale", "absolute"}, {"sides", "4"}, {"phase", "45"}}), Notes{});
     EXPECT_EQ(crossings(squares), 0u);
+}
+
+TEST(Struts, MeetThemselvesNowhereWhenThinned)
+{
+    int crossed = 0;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> at(0, 1);
+        Graph graph;
+        for (std::uint32_t i = 0; i < 14; ++i) graph.vertices.emplace_back(at(random), at(random), at(random));
+        for (std::uint32_t i = 0; i < 14; ++i)
+            for (std::uint32_t j = i + 1; j < 14; ++j)
+                if (glm::distance(graph.vertices[i], graph.vertices[j]) < 0.5) graph.edges.push_back({i, j});
+        Scene thick = scene_of(graph), thin = thick;
+        run(thick, "graph.struts", {{"radius", "0.04"}, {"scale", "absolute"}});
+        run(thin, "graph.struts", {{"radius", "0.04"}, {"scale", "absolute"}, {"clearance", "thin"}});
+        crossed += crossings(thick) > 0;
+        EXPECT_EQ(crossings(thin), 0u);
+        EXPECT_EQ(genus(thin.mesh), genus(thick.mesh));
+    }
+    EXPECT_GT(crossed, 5);
 }
 
 TEST(Struts, SayWhatTheyMendInAGraph)
