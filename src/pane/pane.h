@@ -73,6 +73,8 @@ public:
     virtual void removed(PointId /*gone*/) {}
 };
 
+class Refiner;
+
 /// A flat region with a boundary, points and constraint segments, kept triangulated after every edit.
 ///
 /// The boundary is one outer loop, counter-clockwise, and hole loops, clockwise. A segment is a chain of points whose pieces are edges. Triangles are
@@ -84,7 +86,7 @@ public:
 /// Every edit happens whole or throws PaneRefusal and changes nothing. Points with twins take these along in the same edit.
 /// Cost: an edit of one point, beside what it changes, a microsecond or two at any size; an edit that takes a loop elsewhere, the faces of the pane.
 /// Not for several threads at once, reading included: looking for a place remembers where it was found.
-/// Sources: Howison & Séquin 2009, section 2, and those of Triangulation.
+/// Sources: Howison & Séquin 2009, section 2, and those of Triangulation; Ruppert 1995 and Shewchuk 2002 for refine().
 class Pane {
 public:
     using Index = Triangulation::Index;
@@ -131,6 +133,26 @@ public:
     /// Crossing points that two segments no longer share go with it.
     void unconstrain(SegmentId segment);
     void unconstrain(PointId from, PointId to);
+
+    // --- quality -------------------------------------------------------------------------------------------------------------------------
+    struct Refinement {
+        double min_angle = 20;          // degrees, at most 30
+        std::optional<double> max_area; // of a triangle
+        bool split_boundary = false;    // else loops stay as they are, and angles beside them may fall short
+    };
+    struct Refined {
+        std::size_t made = 0;          // points
+        std::size_t falling_short = 0; // triangles whose smallest angle is still less, or whose area more
+        bool complete = true;          // false: 50 new points for each old one did not do
+    };
+    /// Adds points until no angle is smaller than asked for, but those that lines of the pane make: Ruppert's method, with Shewchuk's shells of lengths
+    /// about sharp corners. Refused: angle-too-large.
+    Refined refine() { return refine(Refinement()); }
+    Refined refine(const Refinement& refinement);
+    /// Removes the points of the last refinement that are still there and free.
+    void unrefine();
+    /// Moves each interior point that nothing holds towards the middle of what is nearest to it, `rounds` times.
+    void spread(int rounds = 5);
 
     // --- reading -------------------------------------------------------------------------------------------------------------------------
     std::size_t point_count() const { return state_.points; }
@@ -281,6 +303,9 @@ private:
     void tidy_crossings();
     std::vector<Index> near_line(Index u, Index v, double reach) const;
     SegmentId do_constrain(std::span<const Index> path);
+
+    // quality
+    friend class Refiner;
 
     // loops
     void flood();

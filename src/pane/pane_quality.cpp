@@ -1,0 +1,290 @@
+// Better triangles in a Pane: points that make small angles larger, and points moved apart.
+#include "pane/pane.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numbers>
+
+namespace druse {
+
+using Index = Pane::Index;
+
+/// One refinement of a pane. Edges that a point lies too near to (within the circle on them) are halved first; then bad triangles get a point at the centre
+/// of their circle, unless that would come too near to such an edge: then that is halved instead.
+class Refiner {
+public:
+    Refiner(Pane& pane, const Pane::Refinement& asked)
+        : pane_(pane), t_(pane.triangulation_), asked_(asked), most_(50 * pane.state_.points)
+    {
+        sine_ = std::sin(asked.min_angle * (std::numbers::pi / 180));
+    }
+
+    Pane::Refined run()
+    {
+        for (Index v = 0; v < t_.vertex_end(); ++v)
+            if (pane_.points_[v].refined) pane_.points_.change(v).refined = false;
+        for (Index h = 0; h < t_.side_end(); h += 4)
+            if (t_.is_face(h) && t_.is_inside(h)) look_at(h);
+        while (result_.complete) {
+            if (!edges_.empty()) {
+                const auto [u, v] = edges_.front();
+                edges_.pop_front();
+                const Index h = t_.find_side(u, v);
+                if (h != Pane::none && is_crowded(h)) halve(h);
+            } else if (!triangles_.empty()) {
+                const auto [a, b, c] = triangles_.front();
+                triangles_.pop_front();
+                const Index h = t_.find_side(a, b);
+                if (h != Pane::none && t_.apex(h) == c && is_bad(h)) mend(h);
+            } else {
+                break;
+            }
+            if (result_.made >= most_) result_.complete = edges_.empty() && triangles_.empty();
+        }
+        pane_.settle();
+        for (Index h = 0; h < t_.side_end(); h += 4) result_.falling_short += t_.is_face(h) && t_.is_inside(h) && falls_short(h) != Pane::none;
+        return result_;
+    }
+
+private:
+    const Point2& at(Index v) const { return t_.position(v); }
+    static double square(const Point2& d) { return glm::dot(d, d); }
+
+    /// May the edge be split at all?
+    bool is_splittable(Index h) const
+    {
+        const std::uint32_t bits = t_.bits(h);
+        return bits != 0 && ((bits & Triangulation::loop_bit) == 0 || asked_.split_boundary) &&
+               square(at(t_.origin(h)) - at(t_.target(h))) > 64 * pane_.state_.weld * pane_.state_.weld;
+    }
+
+    bool sees_within_circle(Index h, const Point2& p) const { return glm::dot(at(t_.origin(h)) - p, at(t_.target(h)) - p) < 0; }
+
+    /// Does a point of the pane that the edge sees lie within the circle on it?
+    bool is_crowded(Index h) const
+    {
+        if (!is_splittable(h)) return false;
+        for (const Index side : {h, t_.twin(h)})
+            if (t_.is_inside(side) && sees_within_circle(side, at(t_.apex(side)))) return true;
+        return false;
+    }
+
+    /// The shortest side, if the angle opposite to it is too small or the area too large; else none.
+    Index falls_short(Index face) const
+    {
+        std::array<std::pair<double, Index>, 3> sides;
+        for (Index k = 0; k < 3; ++k) {
+            const Index h = Triangulation::face(face) + k;
+            sides[k] = {glm::length(at(t_.origin(h)) - at(t_.target(h))), h};
+        }
+        std::sort(sides.begin(), sides.end());
+        const Index least = sides[0].second;
+        const Point2 u = at(t_.target(least)) - at(t_.origin(least)), w = at(t_.apex(least)) - at(t_.origin(least));
+        const double doubled = u.x * w.y - u.y * w.x;
+        // The sine of the smallest angle is twice the area by the two longer sides.
+        const bool small_angle = doubled / sides[2].first / sides[1].first < sine_;
+        return small_angle || (asked_.max_area && doubled > 2 * *asked_.max_area) ? least : Pane::none;
+    }
+
+    /// An angle between two lines of the pane stays as it is, and so does what the halving of both at one distance from it makes.
+    bool is_bad(Index face) const
+    {
+        const Index least = falls_short(face);
+        if (least == Pane::none || !t_.is_inside(face)) return false;
+        const Point2 u = at(t_.target(least)) - at(t_.origin(least)), w = at(t_.apex(least)) - at(t_.origin(least));
+        if (asked_.max_area && u.x * w.y - u.y * w.x > 2 * *asked_.max_area) return true;
+        if (t_.is_fixed(Triangulation::next(least)) && t_.is_fixed(Triangulation::previous(least))) return false;
+        const Index a = t_.origin(least), b = t_.target(least);
+        return !(a < corner_of_.size() && b < corner_of_.size() && corner_of_[a] != Pane::none && corner_of_[a] == corner_of_[b]);
+    }
+
+    void look_at(Index face)
+    {
+        for (Index h = Triangulation::face(face); h < (face | 3); ++h)
+            if (t_.is_fixed(h) && is_crowded(h)) edges_.emplace_back(t_.origin(h), t_.target(h));
+        if (is_bad(face)) triangles_.push_back({t_.origin(face), t_.target(face), t_.apex(face)});
+    }
+
+    void made(Index v)
+    {
+        ++result_.made;
+        pane_.points_.change(v).refined = true;
+        const Index first = t_.out(v);
+        Index h = first;
+        do {
+            if (t_.is_inside(h)) look_at(h);
+            h = t_.turn(h);
+        } while (h != first);
+    }
+
+    /// Where two lines of the pane leave v by less than 60 degrees, the halves of them are powers of two, so that those of both end alike.
+    bool is_sharp(Index v) const
+    {
+        const Index first = t_.out(v);
+        Index h = first;
+        std::vector<Point2> lines;
+        do {
+            if (t_.is_fixed(h)) lines.push_back(glm::normalize(at(t_.target(h)) - at(v)));
+            h = t_.turn(h);
+        } while (h != first);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                if (glm::dot(lines[i], lines[k]) > 0.5) return true;
+        return false;
+    }
+
+    void halve(Index h)
+    {
+        if (!is_splittable(h)) return;
+        Index u = t_.origin(h), v = t_.target(h);
+        const bool u_sharp = is_sharp(u), v_sharp = is_sharp(v), loop = (t_.bits(h) & Triangulation::loop_bit) != 0;
+        double part = 0.5;
+        Index corner = Pane::none;
+        if (u_sharp != v_sharp) {
+            if (v_sharp) std::swap(u, v);
+            const double length = glm::length(at(v) - at(u));
+            part = std::exp2(std::round(std::log2(length / 2))) / length;
+            corner = u;
+        }
+        const Point2 middle = at(u) + part * (at(v) - at(u));
+        if (t_.look_around(middle, t_.locate(middle), pane_.state_.weld).vertex != Pane::none) return;
+        const Index w = pane_.split_edge(u, v, middle);
+        if (corner != Pane::none) {
+            corner_of_.resize(std::max<std::size_t>(corner_of_.size(), t_.vertex_end()), Pane::none);
+            corner_of_[w] = corner;
+        }
+        if (loop && pane_.twins_.size() > 0) pane_.twin_split(w, u, v);
+        if (pane_.loops_changed_) pane_.settle();
+        else pane_.realise();
+        made(w);
+        for (const auto& [a, b] : {std::pair{u, w}, std::pair{w, v}})
+            if (const Index side = t_.find_side(a, b); side != Pane::none && is_crowded(side)) edges_.emplace_back(a, b);
+    }
+
+    /// A point at the centre of the triangle's circle, if nothing is in the way.
+    void mend(Index face)
+    {
+        const Index a = t_.origin(face), b = t_.target(face), c = t_.apex(face);
+        const Point2 u = at(b) - at(a), w = at(c) - at(a);
+        const double doubled = u.x * w.y - u.y * w.x, uu = square(u), ww = square(w);
+        const Point2 centre = at(a) + Point2(w.y * uu - u.y * ww, u.x * ww - w.x * uu) / (2 * doubled);
+        if (!std::isfinite(centre.x) || !std::isfinite(centre.y)) return;
+
+        // Straight from the middle of the triangle to the centre, as far as the next line.
+        const Point2 start = at(a) + (u + w) / 3.0;
+        Index h = Triangulation::face(face), came = Pane::none;
+        while (true) {
+            Index through = Pane::none;
+            for (Index side = Triangulation::face(h); side < (h | 3); ++side)
+                if (side != came && orient(at(t_.origin(side)), at(t_.target(side)), centre) < 0 && orient(start, centre, at(t_.origin(side))) <= 0 &&
+                    orient(start, centre, at(t_.target(side))) >= 0)
+                    through = side;
+            if (through == Pane::none) break;
+            if (t_.is_fixed(through)) return halve(through);
+            came = t_.twin(through);
+            h = Triangulation::face(came);
+        }
+
+        // The faces that would make room for the centre, and the lines around them.
+        std::vector<Index> room{h};
+        bool crowded = false;
+        for (std::size_t i = 0; i < room.size(); ++i)
+            for (Index side = room[i]; side < (room[i] | 3); ++side) {
+                if (t_.is_fixed(side)) {
+                    if (!sees_within_circle(side, centre)) continue;
+                    crowded = true;
+                    if (is_splittable(side)) halves_.emplace_back(t_.origin(side), t_.target(side));
+                    continue;
+                }
+                const Index beyond = Triangulation::face(t_.twin(side));
+                if (std::find(room.begin(), room.end(), beyond) == room.end() &&
+                    incircle(at(t_.origin(beyond)), at(t_.target(beyond)), at(t_.apex(beyond)), centre) > 0)
+                    room.push_back(beyond);
+            }
+        if (!crowded) {
+            const auto place = t_.locate(centre, h);
+            if (!t_.is_inside(place.side) || (place.kind == Triangulation::Place::Kind::side && t_.is_fixed(place.side))) return;
+            if (t_.look_around(centre, place, 4 * pane_.state_.weld).vertex != Pane::none) return;
+            made(pane_.put(centre, Pane::none, place));
+            return;
+        }
+        const std::array<Index, 3> again{a, b, c};
+        bool halved = false;
+        for (const auto& [from, to] : std::exchange(halves_, {})) {
+            const Index side = t_.find_side(from, to);
+            if (side == Pane::none) continue;
+            const std::size_t before = result_.made;
+            halve(side);
+            halved |= result_.made > before;
+        }
+        if (halved) triangles_.push_back(again); // it may be there still, and bad
+    }
+
+    Pane& pane_;
+    Triangulation& t_;
+    const Pane::Refinement& asked_;
+    std::size_t most_;
+    double sine_ = 0;
+    std::deque<std::pair<Index, Index>> edges_;
+    std::deque<std::array<Index, 3>> triangles_;
+    std::vector<std::pair<Index, Index>> halves_;
+    std::vector<Index> corner_of_; // by vertex: the sharp corner whose line was split there
+    Pane::Refined result_;
+};
+
+Pane::Refined Pane::refine(const Refinement& refinement)
+{
+    if (!(refinement.min_angle >= 0 && refinement.min_angle <= 30))
+        refuse(Reason::angle_too_large, fmt::format("min_angle={}: expected 0 to 30 degrees", refinement.min_angle));
+    if (refinement.max_area && !(*refinement.max_area > 0)) refuse(Reason::range, fmt::format("max_area={}: expected more than 0", *refinement.max_area));
+    return edit([&] { return Refiner(*this, refinement).run(); });
+}
+
+void Pane::unrefine()
+{
+    edit([&] {
+        for (Index v = 0; v < points_.size(); ++v) {
+            if (!points_[v].refined || points_[v].locked) continue;
+            bool ends_here = false;
+            for (Index k = points_[v].first_knot; k != none; k = knots_[k].sibling)
+                ends_here |= knots_[k].previous == none || knots_[k].next == none;
+            if (ends_here) continue;
+            do_remove(v, Through::join);
+            settle();
+        }
+        return 0;
+    });
+}
+
+void Pane::spread(int rounds)
+{
+    if (rounds < 1 || rounds > 100) refuse(Reason::range, fmt::format("rounds={}: expected 1 to 100", rounds));
+    edit([&] {
+        for (int round = 0; round < rounds; ++round)
+            for (Index v = 0; v < points_.size(); ++v) {
+                const PointData& point = points_[v];
+                if (point.id == PointId(none) || point.kind != PointKind::interior || point.locked || point.first_knot != none) continue;
+                // The middle of the triangles around it, by area, stands for that of its Voronoi cell.
+                Point2 sum(0);
+                double weight = 0;
+                const Index first = triangulation_.out(v);
+                Index h = first;
+                do {
+                    const Point2 &p = triangulation_.position(v), &a = triangulation_.position(triangulation_.target(h)), &b = triangulation_.position(triangulation_.apex(h));
+                    const double area = (a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x);
+                    sum += area * ((a - p) + (b - p)) / 3.0;
+                    weight += area;
+                    h = triangulation_.turn(h);
+                } while (h != first);
+                const Point2 to = triangulation_.position(v) + sum / weight;
+                if (!(std::abs(to.x) <= 1e150 && std::abs(to.y) <= 1e150)) continue;
+                if (triangulation_.look_around(to, triangulation_.locate(to, first), state_.weld, v).vertex == none) triangulation_.move(v, to);
+            }
+        return 0;
+    });
+}
+
+} // namespace druse
