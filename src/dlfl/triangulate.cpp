@@ -30,8 +30,10 @@ void Triangulator::cut_quad(const Mesh& mesh)
     const Point &c = mesh.position(corners_[2]), &d = mesh.position(corners_[3]);
     const Vector ac = c - a, bd = d - b;
     const Vector normal = cross(ac, bd); // Newell's, for a quad
-    const bool ac_inside = dot(normal, cross(b - a, ac)) > 0 && dot(normal, cross(ac, d - a)) > 0;
-    const bool bd_inside = dot(normal, cross(c - b, bd)) > 0 && dot(normal, cross(bd, a - b)) > 0;
+    // A half with no more than this has its area from rounding: there is a straight corner, and the other diagonal goes to it.
+    const double least = 1e-10 * dot(normal, normal);
+    const bool ac_inside = dot(normal, cross(b - a, ac)) > least && dot(normal, cross(ac, d - a)) > least;
+    const bool bd_inside = dot(normal, cross(c - b, bd)) > least && dot(normal, cross(bd, a - b)) > least;
     // Diagonals of a length, but for rounding, are no choice: a turned or moved quad shall be cut like the first one.
     constexpr double same = 1 - 1e-9;
     const bool along_bd = ac_inside == bd_inside ? dot(bd, bd) < same * dot(ac, ac) : bd_inside;

@@ -11,6 +11,8 @@ namespace {
 
 using Ear = std::array<std::uint32_t, 3>;
 
+constexpr double sliver = 1e-10; // quality of a triangle that has an area from rounding only
+
 /// Twice the signed area of a triangle: positive if it runs counter-clockwise.
 double cross(const Point2& a, const Point2& b, const Point2& c)
 {
@@ -144,10 +146,10 @@ EarClipper::Entry EarClipper::entry(std::uint32_t i)
     const Point2 &p = nodes_[b.previous].at, &q = nodes_[b.next].at;
     const double area = cross(p, b.at, q);
     const double longest = std::max({squared(b.at - p), squared(q - b.at), squared(p - q)});
-    b.can_block = !(area > 0);
     const double quality = longest > 0 ? area / longest : 0.0;
-    const Kind kind = area > 0                           ? Kind::convex
-                      : area < 0                         ? Kind::reflex
+    b.can_block = !(quality > sliver);
+    const Kind kind = quality > sliver                   ? Kind::convex
+                      : quality < -sliver                ? Kind::reflex
                       : glm::dot(b.at - p, q - b.at) > 0 ? Kind::straight
                                                          : Kind::spike;
     return {kind, quality, i, b.version};
@@ -226,6 +228,7 @@ std::pair<EarClipper::Kind, std::uint32_t> EarClipper::find_blocker(std::uint32_
 {
     const Node& node = nodes_[ear];
     const Point2 a = nodes_[node.previous].at, b = node.at, c = nodes_[node.next].at;
+    const double slack = sliver * std::max({squared(b - a), squared(c - b), squared(a - c)});
     std::uint32_t upon_side = none;
 
     const auto look_at_cell = [&](std::uint32_t& first) {
@@ -238,8 +241,9 @@ std::pair<EarClipper::Kind, std::uint32_t> EarClipper::find_blocker(std::uint32_
             }
             const Point2& q = other.at;
             const double ab = cross(a, b, q), bc = cross(b, c, q), ca = cross(c, a, q);
-            if (ab >= 0 && bc >= 0 && ca >= 0 && q != a && q != b && q != c) {
-                if (ab > 0 && bc > 0 && ca > 0) return *link;
+            // A straight corner that rounding put beside the side to be cut along still lies upon it.
+            if (ab >= 0 && bc >= 0 && ca >= -slack && q != a && q != b && q != c) {
+                if (ab > 0 && bc > 0 && ca > slack) return *link;
                 if (upon_side == none) upon_side = *link;
             }
             link = &other.in_cell;

@@ -46,6 +46,12 @@ TEST(Triangulator, CutsAQuadAlongTheShorterDiagonal)
     EXPECT_EQ(cut(two_sided({{1, 1, 0}, {0, 0, 0}, {4, 0, 0}, {5, 1, 0}})), (Triangles{{0, 1, 2}, {0, 2, 3}}));
 }
 
+TEST(Triangulator, CutsAQuadToItsStraightCornerWhicheverSideRoundingPutItOn)
+{
+    for (const double off : {-0x1p-52, 0.0, 0x1p-52})
+        EXPECT_EQ(cut(two_sided({{0, 0, 0}, {0.5, off, 0}, {1, 0, 0}, {0.5, 3, 0}})), (Triangles{{0, 1, 3}, {1, 2, 3}})) << off;
+}
+
 TEST(Triangulator, CutsASquareAlikeWhereverItLies)
 {
     std::mt19937 random(1);

@@ -256,5 +256,22 @@ TEST(EarClipping, StaysExactFarFromTheOrigin)
     expect_tiling(l, cut(l));
 }
 
+TEST(ClipEars, CutsNoSliverOffAtCornersThatAreStraightButForRounding)
+{
+    // Inner corners of the longest side are moved by some units in the last place, to either side.
+    std::mt19937 random(3);
+    for (int trial = 0; trial < 200; ++trial) {
+        Polygon polygon;
+        const int n = 3 + trial % 7;
+        for (int i = 0; i <= n; ++i)
+            polygon.emplace_back(i, 0.25 * i + (i > 0 && i < n ? (double(random() % 9) - 4) * 0x1p-52 : 0.0));
+        polygon.emplace_back(n - 0.3, 5 + trial % 3);
+        polygon.emplace_back(0.4, 5);
+        const Triangles triangles = cut(polygon);
+        expect_same_boundary(polygon, triangles);
+        for (const auto& [a, b, c] : triangles) EXPECT_GT(twice_area(polygon[a], polygon[b], polygon[c]), 0.1) << trial;
+    }
+}
+
 } // namespace
 } // namespace druse
