@@ -24,7 +24,7 @@ struct SelfIntersections {
 /// corner that touches another side or face does, as do faces upon each other (walls without thickness too). Triangles of one face are
 /// tested like others. Triangles without an area are passed over: their neighbours hold all that they do. Open boundaries are not closed.
 ///
-/// Stops as soon as it has found `most` pairs; 1 asks whether there is any. Precondition: most > 0.
+/// Stops when it has found `most` pairs, or twice as many where both cores look; 1 asks whether there is any. Precondition: most > 0.
 /// Cost: O(n log n) and what overlaps, for n triangles: 35 ms for 20 000, 1.5 s for a million. Triangles heaped on each other are compared
 /// each with each. @throws Cancelled
 SelfIntersections self_intersections(const Mesh& mesh, Progress& progress, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());

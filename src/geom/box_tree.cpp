@@ -7,7 +7,8 @@ namespace druse {
 
 namespace {
 
-constexpr std::uint32_t leaf_size = 4; // the most boxes of a leaf
+constexpr std::uint32_t leaf_size = 4;           // the most boxes of a leaf
+constexpr std::uint32_t worth_a_thread = 10'000; // boxes
 
 } // namespace
 
@@ -29,6 +30,7 @@ struct BoxTree::Building {
     std::span<Item> items;
     Progress& progress;
     double from, to;
+    bool reports = true; // else what is done beside it does
 };
 
 BoxTree::BoxTree(std::span<const Box> boxes, Progress& progress, double from, double to)
@@ -73,7 +75,10 @@ void BoxTree::build(const Building& b, std::uint32_t node, std::uint32_t depth)
     const std::uint32_t at = node - (1u << depth); // among the nodes of its level
     const std::uint32_t begin = place(at, 1u << depth), end = place(at + 1, 1u << depth);
     const std::span<Item> items = b.items.subspan(begin, end - begin);
-    if (items.size() > 1000) b.progress.step(b.from + (b.to - b.from) * begin / double(order_.size()));
+    if (items.size() > 1000) {
+        if (b.reports) b.progress.step(b.from + (b.to - b.from) * begin / double(order_.size()));
+        else if (b.progress.cancelled()) throw Cancelled();
+    }
     if (node >= leaves_) {
         for (std::uint32_t k = begin; k < end; ++k) {
             order_[k] = b.items[k].box;
@@ -95,8 +100,15 @@ void BoxTree::build(const Building& b, std::uint32_t node, std::uint32_t depth)
     std::nth_element(items.begin(), items.begin() + (middle - begin), items.end(), [axis](const Item& i, const Item& j) {
         return i.centre[axis] != j.centre[axis] ? i.centre[axis] < j.centre[axis] : i.box < j.box;
     });
-    build(b, 2 * node, depth + 1);
-    build(b, 2 * node + 1, depth + 1);
+    const auto half = [&](const Building& how, std::uint32_t child) { build(how, child, depth + 1); };
+    if (depth == 0 && items.size() > worth_a_thread) {
+        Building beside = b;
+        beside.reports = false;
+        do_both(true, [&] { half(b, 2 * node); }, [&] { half(beside, 2 * node + 1); });
+    } else {
+        half(b, 2 * node);
+        half(b, 2 * node + 1);
+    }
     nodes_[node] = nodes_[2 * node];
     nodes_[node].add(nodes_[2 * node + 1]);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geom/do_both.h"
 #include "geom/point.h"
 #include "geom/progress.h"
 
@@ -32,8 +33,30 @@ public:
     void for_each_pair(Progress& progress, double from, F&& f) const
     {
         if (order_.empty()) return;
-        PairWalk<F> walk{*this, progress, from, f};
+        PairWalk<F> walk{*this, progress, from, leaves_, f};
         walk.within(1);
+    }
+
+    /// The same in two parts, done side by side where the machine can: `first` and `second` hear of different pairs, always of the same ones.
+    template <class First, class Second>
+    void for_each_pair_apart(Progress& progress, double from, First&& first, Second&& second) const
+    {
+        if (order_.empty()) return;
+        if (leaves_ < 8) {
+            for_each_pair(progress, from, first);
+            return;
+        }
+        // Each takes one half of the tree, and one half of what lies between the halves.
+        do_both(
+            leaves_ > 1000,
+            [&] {
+                PairWalk<First> walk{*this, progress, from, leaves_ / 2, first};
+                if (walk.within(2) && walk.between(4, 6)) walk.between(4, 7);
+            },
+            [&] {
+                PairWalk<Second> walk{*this, progress, unreported, leaves_ / 2, second};
+                if (walk.within(3) && walk.between(5, 6)) walk.between(5, 7);
+            });
     }
 
     /// Calls f(i, reach) for boxes that may be met by the ray at a distance from 0 to `reach`, which f lowers as it likes; nearer nodes
@@ -63,6 +86,8 @@ public:
     }
 
 private:
+    static constexpr double unreported = -1; // done beside what reports
+
     struct Small {
         std::array<float, 3> min{2, 2, 2}, max{-1, -1, -1}; // empty
         bool overlaps(const Small& b) const
@@ -102,12 +127,15 @@ private:
         const BoxTree& tree;
         Progress& progress;
         double from;
+        std::uint32_t leaves; // that it is going to see
         F& f;
         std::uint32_t turns = 0, done = 0;
 
         void breathe()
         {
-            if ((++turns & 0xff) == 0) progress.step(from + (1 - from) * done / tree.leaves_);
+            if ((++turns & 0xff) != 0) return;
+            if (from != unreported) progress.step(from + (1 - from) * done / leaves);
+            else if (progress.cancelled()) throw Cancelled();
         }
         bool within(std::uint32_t node)
         {
