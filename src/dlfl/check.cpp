@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <bitset>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace druse {
@@ -128,19 +131,14 @@ public:
     {
         const Mesh& m = mesh_;
         std::string broken;
-        std::vector<bool> corners_done(m.corner_limit()), vertices_done(m.vertex_limit());
-        const auto first_time = [](std::vector<bool>& done, std::uint32_t i) {
-            if (done[i]) return false;
-            done[i] = true;
-            return true;
-        };
+        Marks corners_done(m.corner_limit()), vertices_done(m.vertex_limit());
         std::uint64_t visited = 0;
         each_changed(
             [&](std::uint32_t i) {
                 const Corner c(i);
-                if (!m.is_alive(c) || !first_time(corners_done, i)) return true;
+                if (!m.is_alive(c) || !corners_done.add(i)) return true;
                 broken = corner(c);
-                if (broken.empty() && first_time(vertices_done, m.vertex(c).index)) broken = vertex(m.vertex(c), visited);
+                if (broken.empty() && vertices_done.add(m.vertex(c).index)) broken = vertex(m.vertex(c), visited);
                 return broken.empty();
             },
             m.corner_vertex_, m.corner_next_, m.corner_previous_, m.corner_face_, m.corner_edge_);
@@ -151,7 +149,7 @@ public:
         if (!broken.empty()) return broken;
         each_changed([&](std::uint32_t i) { return (broken = face(Face::boundary(i))).empty(); }, m.boundary_corner_);
         if (!broken.empty()) return broken;
-        each_changed([&](std::uint32_t i) { return !m.is_alive(Vertex(i)) || !first_time(vertices_done, i) || (broken = vertex(Vertex(i), visited)).empty(); },
+        each_changed([&](std::uint32_t i) { return !m.is_alive(Vertex(i)) || !vertices_done.add(i) || (broken = vertex(Vertex(i), visited)).empty(); },
                      m.vertex_corner_, m.vertex_position_);
         return broken;
     }
@@ -173,6 +171,26 @@ public:
     }
 
 private:
+    /// A set of indices with room for those near it only, so that marking a few of many costs little.
+    class Marks {
+    public:
+        explicit Marks(std::uint32_t limit) : pages_(limit / page_size + 1) {}
+
+        /// False if it is there already.
+        bool add(std::uint32_t i)
+        {
+            auto& page = pages_[i / page_size];
+            if (!page) page = std::make_unique<std::bitset<page_size>>();
+            if (page->test(i % page_size)) return false;
+            page->set(i % page_size);
+            return true;
+        }
+
+    private:
+        static constexpr std::uint32_t page_size = 4096;
+        std::vector<std::unique_ptr<std::bitset<page_size>>> pages_;
+    };
+
     /// Calls `visit` with every index in a changed page or past the old end of one of the columns, until it returns false.
     template <class Visit, class... T>
     static void each_changed(Visit&& visit, const Column<T>&... columns)
