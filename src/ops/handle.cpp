@@ -2,6 +2,7 @@
 #include "ops/handle.h"
 
 #include "dlfl/errors.h"
+#include "dlfl/patch.h"
 #include "geom/angle.h"
 #include "ops/text.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace druse {
 
@@ -172,18 +174,22 @@ std::vector<std::vector<Point>> HandlePath::rings(std::span<const Rung> rungs) c
 
 namespace {
 
-/// A flat component with two faces: the corner of the first point in the face that runs against the points' order, and in the other.
-std::array<Corner, 2> add_ring(Mesh& mesh, std::span<const Point> points)
+/// A band on a face with `sides` corners, and a lid over its far ring: the lid comes last, and starts at the first rung.
+Patch band_with_lid(int sides, std::span<const Rung> rungs)
 {
-    const Vertex first = mesh.create_vertex(points[0]);
-    Vertex last = first;
-    for (const Point& p : points.subspan(1)) {
-        const Vertex v = mesh.create_vertex(p);
-        mesh.insert_edge(mesh.corner(last), mesh.corner(v));
-        last = v;
+    const auto n = static_cast<int>(rungs.size());
+    Patch patch(sides, n);
+    std::vector<int> lid;
+    for (int k = 0; k < n; ++k) {
+        const int following = k + 1 < n ? k + 1 : 0;
+        const int here = rungs[std::size_t(k)].from, there = rungs[std::size_t(following)].from;
+        if (here == there) patch.add({here, sides + following, sides + k});
+        else patch.add({here, there, sides + following, sides + k});
+        lid.push_back(sides + k);
     }
-    const Edge closing = mesh.insert_edge(mesh.corner(last), mesh.corner(first));
-    return {mesh.corner(closing, 1), mesh.next(mesh.corner(closing, 0))};
+    patch.add(lid);
+    patch.connect();
+    return patch;
 }
 
 } // namespace
@@ -191,27 +197,25 @@ std::array<Corner, 2> add_ring(Mesh& mesh, std::span<const Point> points)
 std::vector<Face> create_handle(Mesh& mesh, const PipeFaces& faces, const HandlePath& path, std::span<const Rung> rungs)
 {
     const std::vector<std::vector<Point>> points = path.rings(rungs);
-    const auto n = static_cast<int>(rungs.size());
+    const auto n = static_cast<std::uint32_t>(rungs.size());
     faces.split(mesh);
-    PipeMaker maker(mesh);
-    // Rung k meets corner k of a ring seen in its order, and −k from the other side.
-    Corner from = mesh.corner(faces.from);
-    std::vector<Face> walls;
+    // The first face grows towards the other one, band after band, and a pipe joins them. The lid hands its id on to the band that follows it,
+    // so that the ids of a band are consecutive.
+    Face end = faces.from;
     std::vector<Rung> band(rungs.begin(), rungs.end());
-    for (int segment = 0; segment < path.segments(); ++segment) {
-        const bool last = segment + 1 == path.segments();
-        for (int k = 0; k < n; ++k) {
-            if (segment > 0) band[std::size_t(k)].from = k;
-            band[std::size_t(k)].to = last ? rungs[std::size_t(k)].to : k > 0 ? n - k : 0;
-        }
-        if (last) {
-            maker.create(from, mesh.corner(faces.to), band, walls);
-        } else {
-            const auto [back, front] = add_ring(mesh, points[std::size_t(segment) + 1]);
-            maker.create(from, back, band, walls);
-            from = front;
-        }
+    std::vector<Face> walls;
+    std::optional<Patch> patch;
+    for (int segment = 1; segment < path.segments(); ++segment) {
+        if (segment <= 2) patch = band_with_lid(mesh.valence(end), band);
+        std::ranges::copy(points[std::size_t(segment)], mesh.vertex_room(n).begin());
+        const std::uint32_t first = mesh.face_limit();
+        mesh.replace_face(end, *patch);
+        walls.push_back(end);
+        for (std::uint32_t k = 1; k < n; ++k) walls.emplace_back(first + k - 1);
+        end = Face(first + n - 1);
+        for (std::uint32_t k = 0; k < n; ++k) band[k].from = static_cast<int>(k);
     }
+    PipeMaker(mesh).create(mesh.corner(end), mesh.corner(faces.to), band, walls);
     return walls;
 }
 

@@ -162,7 +162,7 @@ void select_walls(Scene& scene, std::vector<Face> walls)
     const int group = first_new_group(scene.mesh, 1);
     for (const Face f : walls) scene.mesh.set_group(f, group);
     sort_faces(walls, scene.mesh);
-    scene.selection.edit().faces = std::move(walls);
+    scene.selection = Selection{std::move(walls), {}, {}};
 }
 
 // --- as commands say it -------------------------------------------------------------------------------------------------------
@@ -204,7 +204,7 @@ PipeFaces::PipeFaces(const Mesh& mesh, const PipeEnds& ends) : from(ends.from.re
     const auto n = static_cast<int>(from_points.size()), m = static_cast<int>(to_points.size());
     if (n != m && ends.unequal == Unequal::error)
         throw CommandError(fmt::format("face {} has {} sides, face {} has {} (unequal=error)", from.index, n, to.index, m));
-    if (n != m && ends.unequal == Unequal::mix && ends.shift != 0)
+    if (n != m && ends.shift != 0)
         throw CommandError(fmt::format("shift={}: face {} has {} sides, face {} has {}", ends.shift, from.index, n, to.index, m));
     pairing.shift = ends.shift;
     if (ends.corners.word.empty()) {

@@ -41,7 +41,7 @@ private:
 void require_pipe_end(const Mesh& mesh, Face f);                        // three corners or more, no vertex twice
 void require_apart(const Mesh& mesh, Face from, Face to);               // different faces without a common vertex
 
-/// New side walls become the selected faces, and one new group.
+/// New side walls become all that is selected, and one new group.
 void select_walls(Scene& scene, std::vector<Face> walls);
 
 // --- as commands say it -------------------------------------------------------------------------------------------------------

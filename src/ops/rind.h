@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dlfl/self_intersections.h"
+#include "geom/infinity.h"
 #include "ops/operator.h"
 #include "ops/pipe.h"
 
@@ -31,6 +32,7 @@ struct CrustShape {
 struct CrustOffsets {
     std::vector<Vector> outward; // by vertex
     std::uint32_t folded = 0;    // vertices whose normals add up to nothing, moved along that of their largest face
+    std::uint32_t still = 0;     // vertices of faces without area only, which have no direction to move in
     std::uint32_t limited = 0;   // vertices that would move farther than the limit
 };
 
@@ -38,10 +40,16 @@ struct CrustOffsets {
 /// for the normals at the vertex in the sense of least squares, and of these the shortest. Cost: O(corners).
 CrustOffsets crust_offsets(const Mesh& mesh, bool uniform, double limit);
 
-/// Up to which thickness a crust is expected to be well: 0.95 of the least at which a corner of a face turns over or opposite walls meet.
-/// Infinite where nothing ever does. Both are found without building anything: the mark on the slider of a thickness.
-/// Cost: a ray for each vertex and each face, 1 to 3 µs. @throws Cancelled
-double safe_thickness(const Mesh& mesh, const CrustOffsets& offsets, bool outward, Progress& progress);
+/// The first vertex that does not sink below all of its faces: its offset leads out of one or along it, as at a rim so sharp that the mean
+/// normal looks past one of the faces. However thin, a crust meets itself there. Cost: O(corners).
+Vertex stuck_vertex(const Mesh& mesh, const CrustOffsets& offsets);
+
+/// Up to which thickness a crust is expected to be well: 0.95 of the least at which a corner of a face turns over or opposite walls meet; 0 where
+/// a vertex is stuck. Infinite where nothing ever does, or not up to `enough`, so that no more is found out than who asks wants to know. All is
+/// found without building anything: the mark on the slider of a thickness.
+/// Cost: a ray for each vertex and each face, 1 to 3 µs; a fraction of it for an `enough` that is thin. @throws Cancelled
+double safe_thickness(const Mesh& mesh, const CrustOffsets& offsets, bool outward, Progress& progress,
+                      double enough = infinity);
 
 /// What is wrong with a crust that has been made.
 struct CrustFaults {
@@ -72,9 +80,9 @@ public:
     void punch(const std::array<Corner, 2>& pair, std::vector<Face>& walls);
 
     /// The same, and takes away the infinitely thin walls that stand between the new hole and its neighbours: walls that reach both from the one
-    /// face and from the other. Where all faces around a vertex are open, it goes. Edges that went are added to `gone`; their ids are free for
-    /// what comes after. Cost: O(sides) for neighbours of moderate size.
-    void peel(const std::array<Corner, 2>& pair, std::vector<Face>& walls, std::vector<Edge>& gone);
+    /// face and from the other. Where all faces around a vertex are open, it goes. Cost: O(sides) for neighbours of
+    /// moderate size.
+    void peel(const std::array<Corner, 2>& pair, std::vector<Face>& walls);
 
 private:
     /// A side of the first face, and the corner where it starts.
@@ -87,8 +95,8 @@ private:
     const Side& at(std::size_t i) const { return sides_[i % sides_.size()]; }
     void require_openable(const std::array<Corner, 2>& pair) const;
     bool find_thin_walls(const std::array<Corner, 2>& pair);
-    void remove(Edge e, std::vector<Edge>& gone);
-    void merge_rungs(Edge rung, const Side& corner, std::vector<Edge>& gone);
+    void remove(Edge e);
+    void merge_rungs(Edge rung, const Side& corner);
     void build_walls(std::size_t first, std::vector<Face>& walls);
 
     Mesh& mesh_;

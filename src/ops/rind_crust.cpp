@@ -1,6 +1,7 @@
 // rind.crust: a surface and its copy inside, joined by nothing but the table that says which faces belong together.
 #include "dlfl/measures.h"
 #include "dlfl/mesh_tables.h"
+#include "geom/infinity.h"
 #include "geom/least_squares.h"
 #include "ops/group.h"
 #include "ops/pipe.h"
@@ -57,7 +58,7 @@ CrustOffsets crust_offsets(const Mesh& mesh, bool uniform, double limit)
         if (!(glm::dot(d, d) > no_sum * no_sum)) {
             if (mesh.is_point_sphere(v)) continue;
             d = normal_of_largest_face(mesh, v);
-            ++result.folded;
+            ++(d == Vector(0.0) ? result.still : result.folded);
         } else if (!uniform) {
             d = unit(d);
         } else {
@@ -179,6 +180,13 @@ struct Placement {
     std::string beyond;       // `thickness 2 is more than the safe 0.95`, or empty
 };
 
+std::string none_is_safe(const Mesh& mesh, const CrustOffsets& offsets, const CrustShape& shape)
+{
+    const Vertex v = stuck_vertex(mesh, offsets);
+    if (!v.valid()) return "no thickness is safe";
+    return fmt::format("no thickness is safe at vertex {}, which sinks below some of its faces only{}", v.index, shape.uniform ? "" : "; try uniform=true");
+}
+
 Placement place_by_thickness(const Mesh& mesh, const CrustShape& shape, Context& context)
 {
     CrustOffsets offsets = crust_offsets(mesh, shape.uniform, shape.limit);
@@ -187,17 +195,18 @@ Placement place_by_thickness(const Mesh& mesh, const CrustShape& shape, Context&
     Placement result;
     result.outward = !automatic && thickness < 0;
     if (automatic || shape.guard != Guard::off) {
-        const double safe = safe_thickness(mesh, offsets, result.outward, context.progress);
+        const double enough = automatic ? infinity : std::abs(thickness);
+        const double safe = safe_thickness(mesh, offsets, result.outward, context.progress, enough);
         if (automatic) {
-            if (!(safe > 0) || std::isinf(safe))
-                throw CommandError(safe > 0 ? "thickness=auto: the surface sets no limit to go by" : "thickness=auto: no thickness is safe");
+            if (std::isinf(safe)) throw CommandError("thickness=auto: the surface sets no limit to go by");
+            if (!(safe > 0)) throw CommandError("thickness=auto: " + none_is_safe(mesh, offsets, shape));
             thickness = 0.5 * safe;
             context.note(fmt::format("thickness {:.6g}", thickness));
         } else if (std::abs(thickness) > safe) {
             result.beyond = fmt::format("thickness {:.6g} is more than the safe {:.6g}", std::abs(thickness), safe);
             if (shape.guard == Guard::error) throw CommandError(result.beyond);
             if (shape.guard == Guard::limit) {
-                if (!(safe > 0)) throw CommandError("no thickness is safe");
+                if (!(safe > 0)) throw CommandError(none_is_safe(mesh, offsets, shape));
                 thickness = std::copysign(safe, thickness);
                 context.note(fmt::format("thickness reduced to the safe {:.6g}", safe));
                 result.beyond.clear();
@@ -206,6 +215,8 @@ Placement place_by_thickness(const Mesh& mesh, const CrustShape& shape, Context&
     }
     if (offsets.folded > 0)
         context.note(counted(offsets.folded, "vertex is folded flat: moved square to its largest face", "vertices are folded flat: moved square to their largest faces"));
+    if (offsets.still > 0)
+        context.note(counted(offsets.still, "vertex has no face with an area: not moved", "vertices have no face with an area: not moved"));
     if (offsets.limited > 0) context.note(counted(offsets.limited, "vertex limited", "vertices limited"));
     result.moved = std::move(offsets.outward);
     for (std::uint32_t v = 0; v < mesh.vertex_limit(); ++v) result.moved[v] = mesh.position(Vertex(v)) - thickness * result.moved[v];

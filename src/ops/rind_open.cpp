@@ -24,7 +24,7 @@ void Opener::punch(const std::array<Corner, 2>& pair, std::vector<Face>& walls)
     maker_.create_facing(pair[0], pair[1], walls);
 }
 
-void Opener::peel(const std::array<Corner, 2>& pair, std::vector<Face>& walls, std::vector<Edge>& gone)
+void Opener::peel(const std::array<Corner, 2>& pair, std::vector<Face>& walls)
 {
     require_openable(pair);
     if (!find_thin_walls(pair)) {
@@ -35,12 +35,12 @@ void Opener::peel(const std::array<Corner, 2>& pair, std::vector<Face>& walls, s
     // sides is cut up. A thin wall leaves the rungs that it ended in; there is no need for new ones.
     for (const Side& side : sides_)
         if (side.thin) {
-            remove(side.outer, gone);
-            remove(side.inner, gone);
+            remove(side.outer);
+            remove(side.inner);
         }
     const std::size_t n = sides_.size();
     for (std::size_t i = 0; i < n; ++i)
-        if (sides_[i].thin && at(i + 1).thin) merge_rungs(sides_[i].rung, at(i + 1), gone);
+        if (sides_[i].thin && at(i + 1).thin) merge_rungs(sides_[i].rung, at(i + 1));
     for (std::size_t i = 0; i < n; ++i)
         if (!sides_[i].thin && at(i + n - 1).thin) build_walls(i, walls);
 }
@@ -67,16 +67,14 @@ bool Opener::find_thin_walls(const std::array<Corner, 2>& pair)
     return any;
 }
 
-void Opener::remove(Edge e, std::vector<Edge>& gone)
+void Opener::remove(Edge e)
 {
-    if (!mesh_.is_alive(e)) return;
-    mesh_.delete_edge(e, true);
-    gone.push_back(e);
+    if (mesh_.is_alive(e)) mesh_.delete_edge(e, true);
 }
 
 /// Each of two thin walls in succession leaves a rung at the corner between them. One of the two goes; where they are the same one, because no
 /// face is left around it, the corners go too.
-void Opener::merge_rungs(Edge rung, const Side& corner, std::vector<Edge>& gone)
+void Opener::merge_rungs(Edge rung, const Side& corner)
 {
     if (!mesh_.is_alive(rung) || mesh_.is_on_boundary(rung)) return;
     const auto ends = mesh_.ends(rung);
@@ -84,7 +82,7 @@ void Opener::merge_rungs(Edge rung, const Side& corner, std::vector<Edge>& gone)
     const auto [a, b] = mesh_.faces(rung);
     const Corner gap = mesh_.corner(rung, mesh_.valence(a) == 2 ? 0 : 1);
     if (a == b || mesh_.valence(mesh_.face(gap)) != 2) {
-        remove(rung, gone);
+        remove(rung);
         return;
     }
     // The gap between two rungs goes to the face beyond, which stays what it was but for its id.
@@ -93,7 +91,7 @@ void Opener::merge_rungs(Edge rung, const Side& corner, std::vector<Edge>& gone)
     const Corner start = mesh_.corner(beyond);
     const Edge start_edge = mesh_.edge(start) == rung ? mesh_.edge(mesh_.next(gap)) : mesh_.edge(start);
     const Vertex start_vertex = mesh_.vertex(start);
-    remove(rung, gone);
+    remove(rung);
     const Corner now = corner_from(mesh_, start_edge, start_vertex);
     mesh_.set_start(now);
     mesh_.set_group(mesh_.face(now), group);
@@ -208,6 +206,7 @@ std::vector<CornerPair> live_pairs(const Scene& scene, const FaceSelector& selec
         if (!pair) ++ignored;
         else if (const Face lower = scene.mesh.face((*pair)[0]); lower == faces[i] || !given(lower)) pairs.push_back(*pair);
     }
+    if (pairs.empty() && faces.size() == 1) throw CommandError(fmt::format("face {} is not part of a rind", faces[0].index));
     if (pairs.empty()) throw CommandError(fmt::format("faces {}: none of them is part of a rind", FaceSelector::of(faces).text()));
     if (ignored > 0) context.note(fmt::format("{} not part of a rind: ignored", ignored == 1 ? "1 face is" : fmt::format("{} faces are", ignored)));
     return pairs;
@@ -231,7 +230,6 @@ void run_peel(Scene& scene, const Peel& p, Context& context)
     Mesh& mesh = scene.mesh;
     Opener opener(mesh);
     std::vector<Face> walls, faces;
-    std::vector<Edge> gone;
     std::vector<std::array<Vertex, 2>> corners; // of all faces that are peeled, each with the one below
     for (const CornerPair& pair : live_pairs(scene, p.faces, context)) faces.push_back(mesh.face(pair[0]));
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -245,17 +243,13 @@ void run_peel(Scene& scene, const Peel& p, Context& context)
             outer = mesh.next(outer);
             inner = mesh.previous(inner);
         } while (outer != (*pair)[0]);
-        opener.peel(*pair, walls, gone);
+        opener.peel(*pair, walls);
     }
     if (mesh.face_count() == 0) throw CommandError("would remove the whole surface");
 
     // Walls of one face may go again with the next one, or change their ids.
     std::erase_if(walls, [&mesh](Face f) { return !mesh.is_alive(f); });
     select_walls(scene, std::move(walls));
-    if (!gone.empty() && !scene.selection->edges.empty()) {
-        std::ranges::sort(gone);
-        std::erase_if(scene.selection.edit().edges, [&gone](Edge e) { return std::ranges::binary_search(gone, e); });
-    }
 
     std::ranges::sort(corners);
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());

@@ -79,7 +79,7 @@ TEST(RindInDocument, LosesFacesThatOtherOperatorsChange)
     EXPECT_EQ(live(after(dodecahedron(), {"rind.crust", "make.cube"})), 12u);
     EXPECT_EQ(live(after(dodecahedron(), {"rind.crust", "rind.crust thickness=-0.01"})), 24u); // a new table takes its place
     Document document = after(dodecahedron(), {"rind.crust", "extrude.cubical faces=3"});
-    EXPECT_EQ(complaint(document, "rind.punch faces=3"), "rind.punch: faces 3: none of them is part of a rind");
+    EXPECT_EQ(complaint(document, "rind.punch faces=3"), "rind.punch: face 3 is not part of a rind");
 }
 
 TEST(RindInDocument, SaysWhenItCanNoLongerBePunched)

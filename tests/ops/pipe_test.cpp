@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -132,7 +133,7 @@ TEST_P(PipeBetweenUnlikeFaces, SplitsTheLongestSidesUntilTheyAreEqual)
     const auto [n, m] = GetParam();
     Scene scene = scene_of(facing_polygons(n, m));
     const auto fewer = static_cast<std::uint32_t>(std::min(n, m)), more = static_cast<std::uint32_t>(std::max(n, m));
-    run(scene, "topology.pipe", between(0, 3, {{"unequal", "split"}, {"shift", "1"}}));
+    run(scene, "topology.pipe", between(0, 3, {{"unequal", "split"}}));
     EXPECT_SOUND(scene.mesh);
     EXPECT_EQ(counts(scene.mesh), (Counts{2 * more, 3 * more, 2 + more}));
     EXPECT_EQ(selected_by_sides(scene), (std::map<int, std::uint32_t>{{4, more}}));
@@ -178,6 +179,7 @@ TEST(Pipe, RefusesWhatCannotBeJoinedAndChangesNothing)
     const Scene unlike = scene_of(facing_polygons(4, 6));
     EXPECT_EQ(complaint(unlike, "topology.pipe", between(0, 3, {{"unequal", "error"}})), "face 0 has 4 sides, face 3 has 6 (unequal=error)");
     EXPECT_EQ(complaint(unlike, "topology.pipe", between(0, 3, {{"shift", "1"}})), "shift=1: face 0 has 4 sides, face 3 has 6");
+    EXPECT_EQ(complaint(unlike, "topology.pipe", between(0, 3, {{"shift", "1"}, {"unequal", "split"}})), "shift=1: face 0 has 4 sides, face 3 has 6");
     EXPECT_EQ(complaint(unlike, "topology.pipe", between(0, 3, {{"corners", "0,6"}})), "corners: face 3 has corners 0 to 5, not 6");
     EXPECT_EQ(complaint(scene_of(cube_with_antenna()), "topology.pipe", between(0, 5)).substr(0, 14), "face 0 visits ");
     EXPECT_EQ(complaint(scene_of(three_lunes()), "topology.pipe", between(0, 1)), "face 0 has 2 sides");
@@ -335,6 +337,21 @@ TEST(Handle, BetweenUnlikeFacesHasRingsOfTheLargerOne)
         EXPECT_EQ(selected_by_sides(scene), (std::map<int, std::uint32_t>{{3, 2}, {4, 16}}));
         EXPECT_GT(volume(scene.mesh), 0);
     }
+}
+
+TEST(Handle, NumbersItsBandsOneAfterTheOther)
+{
+    // The walls take the ids that are free by then, else the next ones: the first band that of the first face, the last one that of the second.
+    Scene scene = scene_of(cube());
+    run(scene, "topology.handle", between(0, 5, {{"segments", "3"}}));
+    std::array<std::vector<std::uint32_t>, 3> band; // a wall starts on the ring before it: of the cube, vertices 8-11, and 12-15
+    for (const Face f : scene.selection->faces) {
+        const std::uint32_t start = ring(scene.mesh, f)[0];
+        band[start < 8 ? 0 : start < 12 ? 1 : 2].push_back(f.index);
+    }
+    EXPECT_EQ(band[0], (std::vector<std::uint32_t>{0, 6, 7, 8}));
+    EXPECT_EQ(band[1], (std::vector<std::uint32_t>{9, 10, 11, 12}));
+    EXPECT_EQ(band[2], (std::vector<std::uint32_t>{5, 13, 14, 15}));
 }
 
 TEST(Handle, GoesThroughTheSolidWhereFacesLookAwayFromEachOther)

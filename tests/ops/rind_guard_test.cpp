@@ -1,4 +1,5 @@
 // rind.crust and rind.nest: where the second surface lies, how thick it may be, and what is said of it.
+#include "dlfl/mesh_builder.h"
 #include "dlfl/self_intersections.h"
 #include "ops/rind.h"
 #include "run.h"
@@ -215,6 +216,10 @@ TEST(Crust, LeavesPointSpheresOutAndTellsOfFoldedAndLimitedVertices)
     EXPECT_EQ(notes(scene, "rind.crust", {{"guard", "off"}}),
               std::vector<std::string>{"5 vertices are folded flat: moved square to their largest faces"});
 
+    // An edge alone has one face, which has no area.
+    scene = scene_of(segment());
+    EXPECT_EQ(notes(scene, "rind.crust", {{"guard", "off"}}), std::vector<std::string>{"2 vertices have no face with an area: not moved"});
+
     // A thin pyramid: at its tip the planes meet far away.
     scene = scene_of(scaled(pyramid(3), {1, 1, 20}));
     const auto said = notes(scene, "rind.crust", {{"guard", "off"}, {"uniform", "true"}, {"limit", "2"}});
@@ -293,13 +298,104 @@ TEST(Guard, SeesAShellThatIsTurnedInsideOutWithoutCrossing)
     EXPECT_EQ(self_intersections(scene.mesh, progress).pairs, 0u);
 }
 
+TEST(Guard, SaysNothingOfAnyThicknessThatIsSafe)
+{
+    const Scene cube_of_two = scene_of(scaled(cube(), Vector(2)));
+    for (int i = 1; i < 95; ++i) {
+        Scene scene = cube_of_two;
+        EXPECT_TRUE(notes(scene, "rind.crust", {{"thickness", number_text(0.01 * i)}, {"uniform", "true"}}).empty()) << i;
+    }
+}
+
 TEST(Guard, TakesHalfOfWhatIsSafeByItself)
 {
     Scene scene = scene_of(scaled(cube(), Vector(2)));
     EXPECT_EQ(notes(scene, "rind.crust", {{"thickness", "auto"}, {"uniform", "true"}}), std::vector<std::string>{"thickness 0.475"});
     EXPECT_NEAR(walls(scene.mesh).least, 0.475, 1e-12);
     EXPECT_EQ(complaint(scene_of(open_grid(2, 2)), "rind.crust", {{"thickness", "auto"}}), "thickness=auto: the surface sets no limit to go by");
-    EXPECT_EQ(complaint(scene_of(dihedron(4)), "rind.crust", {{"thickness", "auto"}}), "thickness=auto: no thickness is safe");
+    EXPECT_EQ(complaint(scene_of(dihedron(4)), "rind.crust", {{"thickness", "auto"}}), "thickness=auto: no thickness is safe at vertex 0, which sinks below some of its faces only; try uniform=true");
+}
+
+/// A cube as a crust of which the faces 0 to k are peeled: what is left is a solid with rims of 45 degrees.
+Mesh peeled_cube(int k)
+{
+    Scene scene = scene_of(cube());
+    run(scene, "rind.crust", {{"guard", "off"}});
+    run(scene, "rind.peel", {{"faces", "0-" + std::to_string(k)}});
+    return scene.mesh;
+}
+
+TEST(Guard, TakesNoThicknessWhereARimIsSoSharpThatItsNormalLooksPastAFace)
+{
+    // Five faces peeled leave a convex frustum. At its large face, n = (0, 0, -1), two walls of 45 degrees meet, (1, 0, 1)/√2 and (0, 1, 1)/√2:
+    // the sum of the three looks up by √2 − 1.
+    Progress progress;
+    for (const int k : {4, 2}) {
+        const Mesh mesh = peeled_cube(k);
+        const CrustOffsets offsets = crust_offsets(mesh, false, 4);
+        const Vertex stuck = stuck_vertex(mesh, offsets);
+        ASSERT_TRUE(stuck.valid()) << k;
+        double least = 1;
+        for (const Corner c : mesh.around(stuck)) least = std::min(least, glm::dot(offsets.outward[stuck.index], unit_normal(mesh, mesh.face(c))));
+        EXPECT_LE(least, 0);
+        EXPECT_EQ(safe_thickness(mesh, offsets, false, progress), 0);
+        EXPECT_EQ(safe_thickness(mesh, offsets, true, progress), 0);
+        const std::string why = "no thickness is safe at vertex " + std::to_string(stuck.index) + ", which sinks below some of its faces only; try uniform=true";
+        EXPECT_EQ(complaint(scene_of(mesh), "rind.crust", {{"thickness", "auto"}}), "thickness=auto: " + why);
+        EXPECT_EQ(complaint(scene_of(mesh), "rind.crust", {{"thickness", "0.001"}, {"guard", "limit"}}), why);
+        // It is as the guard says: thin as it may be, that crust meets itself.
+        Scene scene = scene_of(mesh);
+        run(scene, "rind.crust", {{"thickness", "0.00001"}, {"guard", "off"}});
+        EXPECT_GT(self_intersections(scene.mesh, progress).pairs, 0u);
+    }
+    // With the corrected offsets every face moves inward.
+    Scene scene = scene_of(peeled_cube(4));
+    EXPECT_EQ(notes(scene, "rind.crust", {{"thickness", "auto"}, {"uniform", "true"}}).size(), 1u);
+    EXPECT_EQ(self_intersections(scene.mesh, progress).pairs, 0u);
+}
+
+TEST(Guard, AsksFromTheCentresOfFaces)
+{
+    // A cube of side 3 about the origin, and in it one of side 1, moved: of the vertices of the large one none looks at the small one, and of
+    // its face centres one does first.
+    Mesh mesh = scaled(cube(), Vector(3)), small = cube();
+    for (Point& p : small.write_positions()) p += Vector(0.2, 0.3, 0.1);
+    mesh.append(small);
+    // From (0, 1.5, 0), down by 1/√3 for each unit of thickness, to y = 0.8, which comes to meet it.
+    const double nearest = 0.5 * (1.5 - 0.8) * std::sqrt(3.0);
+    Progress progress;
+    const double safe = safe_thickness(mesh, crust_offsets(mesh, false, 4), false, progress);
+    EXPECT_NEAR(safe, 0.95 * nearest, 1e-9);
+    // Where only thinner crusts matter, no more is asked.
+    EXPECT_EQ(safe_thickness(mesh, crust_offsets(mesh, false, 4), false, progress, 0.9 * safe), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(safe_thickness(mesh, crust_offsets(mesh, false, 4), false, progress, 1.1 * safe), safe);
+}
+
+TEST(Guard, DoesNotTakeRoundingForCrossings)
+{
+    // A slab whose top has seven corners along one side, where flat stones stand on it: after it moved, these are on a line but for rounding.
+    MeshBuilder builder;
+    const std::vector<double> along{0, 0.7, 1.3, 2.1, 2.2, 3.7, 4.1, 5};
+    std::vector<std::uint32_t> edge, over;
+    for (const double x : along) edge.push_back(builder.add_vertex({x, 0.1 * x, 0}));
+    for (const double x : along) over.push_back(builder.add_vertex({x, 0.1 * x, 1.5}));
+    const std::uint32_t a = builder.add_vertex({0, 3, 0}), b = builder.add_vertex({5, 3.5, 0}), c = builder.add_vertex({0, 3, 1.5}), d = builder.add_vertex({5, 3.5, 1.5});
+    std::vector<std::uint32_t> below(edge.rbegin(), edge.rend()), above(over);
+    below.insert(below.end(), {a, b});
+    above.insert(above.end(), {d, c});
+    builder.add_face(below);
+    builder.add_face(above);
+    for (std::size_t i = 0; i + 1 < along.size(); ++i) builder.add_face(std::array{edge[i], edge[i + 1], over[i + 1], over[i]});
+    builder.add_face(std::array{edge.back(), b, d, over.back()});
+    builder.add_face(std::array{b, a, c, d});
+    builder.add_face(std::array{a, edge[0], over[0], c});
+    Repairs repairs;
+    const Mesh slab = builder.build(repairs);
+    ASSERT_EQ(genus(slab), 0);
+    for (int i = 1; i <= 40; ++i) {
+        Scene scene = scene_of(slab);
+        EXPECT_TRUE(notes(scene, "rind.crust", {{"thickness", std::to_string(0.0137 * i)}}).empty()) << i;
+    }
 }
 
 TEST(Guard, LooksOutwardForACrustThatGrowsOutward)

@@ -275,12 +275,11 @@ TEST_P(EveryOrder, OfPeelsGivesTheCountsOfTheFormula)
         std::mt19937 random(seed);
         Mesh now = start.mesh, step_by_step = start.mesh;
         std::vector<Face> walls;
-        std::vector<Edge> gone;
         std::set<Face> opened;
         for (const Face f : shuffled(mesh, random)) {
             // Face ids are kept apart from what the openings do to them: the table is the one of the beginning.
             const Face asked = random() % 2 == 0 ? f : Face(f.index + mesh.face_limit());
-            Opener(now).peel(*start.rind.find(now, asked), walls, gone);
+            Opener(now).peel(*start.rind.find(now, asked), walls);
             peel_step_by_step(step_by_step, *start.rind.find(step_by_step, asked));
             opened.insert(f);
             ASSERT_EQ(counts(now), peeled(mesh, opened).counts);
@@ -306,7 +305,6 @@ TEST_P(EveryOrder, OfPunchesAndPeelsKeepsTheEulerCharacteristic)
         std::mt19937 random(seed);
         Mesh now = start.mesh;
         std::vector<Face> walls;
-        std::vector<Edge> gone;
         std::set<Face> opened;
         std::int64_t taken = 0, sides = 0; // walls
         bool peeled_any = false;
@@ -316,7 +314,7 @@ TEST_P(EveryOrder, OfPunchesAndPeelsKeepsTheEulerCharacteristic)
                 Opener(now).punch(pair, walls);
                 sides += mesh.valence(f);
             } else {
-                Opener(now).peel(pair, walls, gone);
+                Opener(now).peel(pair, walls);
                 peeled_any = true;
                 for (const Corner c : mesh.corners(f)) taken += opened.contains(mesh.face(mesh.opposite(c)));
             }
@@ -408,6 +406,7 @@ TEST(Punch, IgnoresFacesThatBelongToNoRind)
     EXPECT_EQ(open(scene, "rind.punch", {Face(2), Face(3), Face(4)}), std::vector<std::string>{"2 faces are not part of a rind: ignored"});
     EXPECT_EQ(counts(scene.mesh), (Counts{16, 36, 18}));
     EXPECT_EQ(complaint(scene, "rind.punch", {{"faces", "2-3"}}), "faces 2-3: none of them is part of a rind");
+    EXPECT_EQ(complaint(scene, "rind.punch", {{"faces", "2"}}), "face 2 is not part of a rind");
     EXPECT_EQ(complaint(scene, "rind.peel", {{"faces", "12-14"}}), "faces 12-14: none of them is part of a rind");
     EXPECT_EQ(complaint(scene_of(cube()), "rind.punch", {{"faces", "all"}}), "faces 0-5: none of them is part of a rind");
     EXPECT_EQ(complaint(scene, "rind.punch", {{"faces", "none"}}), "no faces");
@@ -436,8 +435,7 @@ TEST(Peel, RenumbersNothingWhereItRemovesNoMoreThanItMakes)
     open(scene, "rind.peel", {Face(20)});
     const Mesh before = scene.mesh;
     std::vector<Face> walls;
-    std::vector<Edge> gone;
-    Opener(scene.mesh).peel(*scene.rind.find(scene.mesh, Face(21)), walls, gone); // beside it
+    Opener(scene.mesh).peel(*scene.rind.find(scene.mesh, Face(21)), walls); // beside it
     EXPECT_FALSE(scene.mesh.has_holes());
     EXPECT_EQ(counts(scene.mesh), counts(before));
     for (const Face f : before.faces())
@@ -446,16 +444,20 @@ TEST(Peel, RenumbersNothingWhereItRemovesNoMoreThanItMakes)
         }
 }
 
-TEST(Peel, TakesWhatWentOutOfTheSelection)
+TEST(Openings, LeaveTheWallsAloneSelected)
 {
     Scene scene = crust_of(cube());
-    open(scene, "rind.peel", looking(cube(), {x}));
-    std::vector<Edge> all;
-    for (const Edge e : scene.mesh.edges()) all.push_back(e);
-    scene.selection.edit().edges = all;
-    open(scene, "rind.peel", looking(cube(), {z}));
-    EXPECT_EQ(scene.mesh.edge_count(), 28u);
-    EXPECT_EQ(scene.selection->edges.size(), 26u); // two went, and two came in their place
+    for (const auto& [name, direction, walls] : {std::tuple("rind.punch", x, 4u), std::tuple("rind.peel", z, 3u)}) { // the second one joins the first
+        Selection everything;
+        for (const Face f : scene.mesh.faces()) everything.faces.push_back(f);
+        for (const Edge e : scene.mesh.edges()) everything.edges.push_back(e);
+        for (const Vertex v : scene.mesh.vertices()) everything.vertices.push_back(v);
+        scene.selection = everything;
+        open(scene, name, looking(cube(), {direction}));
+        EXPECT_EQ(scene.selection->faces.size(), walls) << name;
+        EXPECT_TRUE(scene.selection->edges.empty()) << name;
+        EXPECT_TRUE(scene.selection->vertices.empty()) << name;
+    }
 }
 
 } // namespace
