@@ -4,6 +4,7 @@
 #include "app/script.h"
 #include "dlfl/check.h"
 #include "dlfl/errors.h"
+#include "dlfl/rind_upkeep.h"
 #include "io/read.h"
 
 #include <fmt/format.h>
@@ -129,9 +130,14 @@ void Document::edit(const Invocation& call, Context& context)
         if (before.mesh.corner_vertex.whole) {
             if (scene_.selection.same_as(before.selection)) scene_.selection = nothing;
             if (!scene_.rind.empty() && !scene_.rind.is_replaced()) {
+                scene_.mesh.exchange(before.mesh); // it belongs to the mesh that was there
+                const bool was_openable = has_live_pair(scene_.rind, scene_.mesh);
+                scene_.mesh.exchange(before.mesh);
                 scene_.rind = {};
-                context.note("the rind can no longer be punched");
+                if (was_openable) context.note("the rind can no longer be punched");
             }
+        } else if (!scene_.rind.is_replaced()) {
+            drop_dead_pairs(scene_.rind, scene_.mesh, before.mesh);
         }
         before.rind = scene_.rind.end_change();
         rind_recording = false;

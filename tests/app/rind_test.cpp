@@ -82,12 +82,43 @@ TEST(RindInDocument, LosesFacesThatOtherOperatorsChange)
     EXPECT_EQ(complaint(document, "rind.punch faces=3"), "rind.punch: face 3 is not part of a rind");
 }
 
+TEST(RindInDocument, LosesAFaceForGoodAlsoWhereItComesBackAsItWas)
+{
+    // An edge across a face and away again makes the same face; a file between the two steps must make no difference.
+    Document document = after(cube(), {"rind.crust", "topology.insert_edge c1=0:0 c2=0:2"});
+    const State cut(document);
+    EXPECT_EQ(complaint(document, "topology.delete_edge edges=0~2"), "");
+    EXPECT_EQ(live(document), 5u);
+    EXPECT_EQ(complaint(document, "rind.punch faces=0"), "rind.punch: face 0 is not part of a rind");
+    EXPECT_EQ(complaint(document, "rind.punch faces=6"), "rind.punch: face 6 is not part of a rind");
+    document.apply("document.undo");
+    EXPECT_EQ(State(document), cut);
+    document.apply("document.undo");
+    EXPECT_EQ(live(document), 6u); // as it was before
+    document.apply("document.redo steps=2");
+    EXPECT_EQ(live(document), 5u);
+
+    document = after(dodecahedron(), {"rind.crust", "extrude.cubical faces=3", "topology.delete_edge edges=0"});
+    const std::size_t left = live(document);
+    const Folder folder;
+    const std::string file = (folder / "rind.dlfl").string();
+    OutputSet out;
+    write_document(document, out, file);
+    out.commit();
+    Document again(all_operators());
+    Progress progress;
+    again.open(file, progress);
+    EXPECT_EQ(live(again), left);
+}
+
 TEST(RindInDocument, SaysWhenItCanNoLongerBePunched)
 {
     Document document = after(cube(), {"rind.crust"});
     EXPECT_EQ(document.apply("remesh.doo_sabin").notes, std::vector<std::string>{"the rind can no longer be punched"});
     EXPECT_EQ(live(document), 0u);
     EXPECT_TRUE(document.apply("remesh.doo_sabin").notes.empty());
+    Document open = after(cube(), {"rind.crust", "rind.punch faces=all"});
+    EXPECT_TRUE(open.apply("remesh.doo_sabin").notes.empty()); // there was nothing left to be punched
     document.apply("document.undo steps=2");
     EXPECT_EQ(live(document), 6u);
     EXPECT_TRUE(document.apply("document.clear").notes.empty());
@@ -97,6 +128,37 @@ TEST(RindInDocument, SaysWhenItCanNoLongerBePunched)
     EXPECT_EQ(complaint(document, "rind.punch faces=40-44"), "rind.punch: there is no face 40: the faces are 0 to 11");
     EXPECT_EQ(complaint(document, "check.manifold"), "");
     EXPECT_EQ(live(document), 6u);
+}
+
+TEST(RindInDocument, FailsWithALineThatTellsWhyAndChangesNothing)
+{
+    // 30-rind-and-pipes, section 10. Of the cube faces 0 and 5 are opposite; the second cube lies upon it.
+    struct Case {
+        std::vector<std::string> before;
+        std::string command, complaint;
+    };
+    const Case cases[] = {
+        {{"rind.crust", "rind.punch faces=0-2"}, "rind.punch faces=12-14", "rind.punch: faces 12-14: none of them is part of a rind"},
+        {{"rind.crust"}, "rind.crust thickness=0", "rind.crust: thickness must not be 0"},
+        {{}, "rind.crust by=scale scale=1", "rind.crust: scale must not be 1"},
+        {{}, "rind.crust thickness=2 guard=error", "rind.crust: thickness 2 is more than the safe 0.822724"},
+        {{}, "topology.pipe from=3 to=3", "topology.pipe: from and to are the same face 3"},
+        {{"make.prism n=6"}, "topology.pipe from=0 to=6 unequal=error", "topology.pipe: face 0 has 4 sides, face 6 has 6 (unequal=error)"},
+        {{"make.cube"}, "topology.handle from=0 to=6", "topology.handle: the two faces have the same centre"},
+        {{"rind.crust"}, "rind.peel faces=all", "rind.peel: would remove the whole surface"},
+        {{"rind.crust", "rind.peel faces=0,5"}, "rind.peel faces=1-4 pinch=cut", "rind.peel: would remove the whole surface"},
+    };
+    for (const Case& c : cases) {
+        Document document = after(cube(), c.before);
+        document.apply("select.edges edges=0-3");
+        const State state(document);
+        const std::size_t steps = document.history().size();
+        EXPECT_EQ(complaint(document, c.command), c.complaint);
+        EXPECT_EQ(State(document), state) << c.command;
+        EXPECT_EQ(document.history().size(), steps) << c.command;
+    }
+    Document document = after(cube(), {});
+    EXPECT_TRUE(complaint(document, "topology.pipe from=0 to=1").starts_with("topology.pipe: faces 0 and 1 share vertex "));
 }
 
 TEST(RindInDocument, GoesThroughFiles)
