@@ -263,7 +263,7 @@ std::string info_text(const Scene& scene, std::string_view file, const std::opti
     if (!facts.only_graph) {
         t.add("parallel edges", facts.mesh.parallel_edges);
         t.add("point spheres", facts.mesh.point_spheres);
-        t.add("walls of no thickness", facts.mesh.zero_thickness_walls);
+        t.add("zero-thickness walls", facts.mesh.zero_thickness_walls);
         t.add("self-intersections", met_text(met));
         if (facts.graph) add_graph(t, *facts.graph, "graph ");
     }

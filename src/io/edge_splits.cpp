@@ -47,8 +47,13 @@ void EdgeSplits::note(OutputFiles& out) const
     note(parallel_, "parallel edge");
     note(loops_, "loop");
     note(lone_, "lone edge");
-    if (thin_walls_ > 0)
-        out.note(fmt::format("{} without thickness, which cannot be printed: rind.peel leaves none", thin_walls_ == 1 ? "1 wall is" : fmt::format("{} walls are", thin_walls_)));
+    note_thin_walls(thin_walls_, out);
+}
+
+void note_thin_walls(std::uint32_t count, OutputFiles& out)
+{
+    if (count == 0) return;
+    out.note(fmt::format("{} zero-thickness wall{}, which cannot be printed: rind.peel leaves none", count, count == 1 ? "" : "s"));
 }
 
 } // namespace druse

@@ -42,4 +42,7 @@ private:
     std::uint32_t parallel_ = 0, loops_ = 0, lone_ = 0, thin_walls_ = 0;
 };
 
+/// Warns of walls without thickness, if there are any.
+void note_thin_walls(std::uint32_t count, OutputFiles& out);
+
 } // namespace druse

@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "dlfl/triangulate.h"
+#include "io/coincident_edges.h"
 #include "io/require_faces.h"
 
 #include <fmt/format.h>
@@ -22,32 +23,31 @@ using Facet = std::array<float, 12>;
 
 class StlWriter {
 public:
-    StlWriter(const Mesh& mesh, OutputFiles& out) : mesh_(mesh), out_(out) {}
+    StlWriter(const Mesh& mesh, OutputFiles& out) : mesh_(mesh), out_(out), coincident_(mesh) {}
     void write();
 
 private:
     template <class Put> void for_each_triangle(Put&& put);
     Facet facet(Corner a, Corner b, Corner c) const;
+    static Facet facet(const std::array<Point, 3>& corners);
     void put_binary(const Facet& facet);
     void put_ascii(const Facet& facet);
     [[noreturn]] void fail_too_far(Corner c) const;
 
     const Mesh& mesh_;
     OutputFiles& out_;
+    CoincidentEdges coincident_;
     std::uint32_t thin_faces_ = 0;
 };
 
-Facet StlWriter::facet(Corner a, Corner b, Corner c) const
+Facet StlWriter::facet(const std::array<Point, 3>& corners)
 {
     Facet facet;
     std::size_t at = 3;
-    for (const Corner corner : {a, b, c}) {
-        const Point& p = mesh_.position(corner);
+    for (const Point& p : corners) {
         facet[at++] = static_cast<float>(p.x);
         facet[at++] = static_cast<float>(p.y);
         facet[at++] = static_cast<float>(p.z);
-        if (!(std::isfinite(facet[at - 3]) && std::isfinite(facet[at - 2]) && std::isfinite(facet[at - 1]))) [[unlikely]]
-            fail_too_far(corner);
     }
     // The normal is that of the rounded places: it is those that the file holds.
     const Point p(facet[3], facet[4], facet[5]), q(facet[6], facet[7], facet[8]), r(facet[9], facet[10], facet[11]);
@@ -56,6 +56,15 @@ Facet StlWriter::facet(Corner a, Corner b, Corner c) const
     facet[1] = static_cast<float>(normal.y);
     facet[2] = static_cast<float>(normal.z);
     return facet;
+}
+
+Facet StlWriter::facet(Corner a, Corner b, Corner c) const
+{
+    const Facet result = facet({mesh_.position(a), mesh_.position(b), mesh_.position(c)});
+    for (std::size_t at = 3; at < 12; ++at)
+        if (!std::isfinite(result[at])) [[unlikely]]
+            fail_too_far(std::array{a, b, c}[at / 3 - 1]);
+    return result;
 }
 
 void StlWriter::fail_too_far(Corner c) const
@@ -99,13 +108,17 @@ template <class Put> void StlWriter::for_each_triangle(Put&& put)
     Triangulator triangulator;
     for (const Face f : mesh_.faces()) {
         const Corner a = mesh_.corner(f), b = mesh_.next(a), c = mesh_.next(b);
-        if (mesh_.next(c) == a && c != a) {
+        if (mesh_.next(c) == a && c != a && coincident_.empty()) {
             put(facet(a, b, c));
             continue;
         }
         const auto& triangles = triangulator.triangles(mesh_, f);
         if (triangles.empty()) ++thin_faces_;
-        for (const auto& t : triangles) put(facet(t[0], t[1], t[2]));
+        const bool divided = coincident_.concern(f);
+        for (const auto& t : triangles)
+            if (const Facet whole = facet(t[0], t[1], t[2]); !divided) put(whole);
+        if (divided)
+            for (const auto& t : coincident_.triangles(triangles)) put(facet(t));
     }
     if (thin_faces_ == mesh_.face_count()) throw InputError(out_.name(), "the document holds no face with more than 2 corners");
     if (thin_faces_ > 0)
@@ -115,6 +128,7 @@ template <class Put> void StlWriter::for_each_triangle(Put&& put)
 
 void StlWriter::write()
 {
+    coincident_.note(out_);
     ByteSink& sink = out_.main();
     if (out_.ascii()) {
         sink.put("solid druse\n");

@@ -167,8 +167,8 @@ void check_print(Scene& scene, const CheckPrint& p, Context& context)
     context.output = json.dump();
     context.failed = p.strict && !problems.empty();
     if (f.zero_thickness_walls > 0)
-        context.note(fmt::format("{} without thickness, which cannot be printed: rind.peel leaves none",
-                                 f.zero_thickness_walls == 1 ? "1 wall is" : fmt::format("{} walls are", f.zero_thickness_walls)));
+        context.note(fmt::format("{} zero-thickness wall{}, which cannot be printed: rind.peel leaves none", f.zero_thickness_walls,
+                                 f.zero_thickness_walls == 1 ? "" : "s"));
 }
 
 } // namespace

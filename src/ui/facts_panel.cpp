@@ -30,7 +30,7 @@ std::vector<Fact> print_facts(const Display& display, const std::string& unit)
     const double warp = f.mean_edge > 0 ? f.max_nonplanarity / f.mean_edge : 0;
     list.push_back({"flat faces", warp < 1e-6 ? "yes" : fmt::format("off by {:.2g} {}", f.max_nonplanarity, unit), Tone::plain});
     if (f.point_spheres > 0) list.push_back({"point spheres", std::to_string(f.point_spheres), Tone::warning});
-    if (f.zero_thickness_walls > 0) list.push_back({"walls without thickness", std::to_string(f.zero_thickness_walls), Tone::warning});
+    if (f.zero_thickness_walls > 0) list.push_back({"zero-thickness walls", std::to_string(f.zero_thickness_walls), Tone::warning});
     return list;
 }
 

@@ -8,6 +8,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace druse {
 namespace {
@@ -88,6 +89,52 @@ TEST(Printable, HasAsManyPartsAsComponents)
     const Folder folder;
     ASSERT_EQ(druse({"apply", "-c", "make.cube", "-c", "mesh.transform move=5,0,0", "-c", "make.torus", "-o", "a.stl", "-o", "a.obj"}, folder.path()).status, 0);
     expect_good_stl(folder, "a.stl", 2, volume_of(folder, "a.obj"));
+}
+
+struct RindState {
+    const char* name;
+    std::vector<std::string> commands;
+    int parts; // of the solid; admesh counts what hangs together by sides
+};
+
+TEST(Printable, IsARindInEveryState)
+{
+    const Folder folder;
+    const RindState states[] = {
+        {"a crust", {"make.dodecahedron", "rind.crust thickness=0.2"}, 2},
+        {"punched apart", {"make.dodecahedron", "rind.crust thickness=0.2", "rind.punch faces=0,7"}, 1},
+        {"punched beside each other", {"make.cube", "rind.crust thickness=0.2", "rind.punch faces=0-2"}, 1},
+        {"peeled", {"make.icosahedron", "rind.crust thickness=0.2 uniform=true", "rind.peel faces=0-4,9"}, 1},
+        {"peeled to a plate", {"make.cube", "rind.crust", "rind.peel faces=0-4"}, 1},
+        {"with columns", {"make.octahedron", "rind.crust", "rind.peel faces=0,2,5,7"}, 1},
+        {"with columns cut", {"make.octahedron", "rind.crust", "rind.peel faces=0,2,5,7 pinch=cut"}, 4},
+        {"a torus with columns", {"make.torus nu=24 nv=12", "rind.crust thickness=0.1", "rind.peel faces=0,13,26-30"}, 1},
+        {"nested", {"make.dodecahedron", "rind.crust thickness=0.2", "rind.peel faces=0,3,7", "rind.nest copies=3 angle=20"}, 4},
+        {"piped", {"make.cube", "make.cube", "mesh.transform vertices=8-15 move=0,0,3", "topology.pipe from=5 to=6"}, 1},
+        {"handled", {"make.cube", "mesh.transform scale=2", "topology.handle from=0 to=5 segments=6 scale=0.4"}, 1},
+        {"two cubes at an edge", {"make.cube", "make.cube", "mesh.transform vertices=8-15 move=1,1,0"}, 2},
+    };
+    for (const RindState& state : states) {
+        SCOPED_TRACE(state.name);
+        std::vector<std::string> arguments{"apply"};
+        for (const std::string& command : state.commands) arguments.insert(arguments.end(), {"-c", command});
+        arguments.insert(arguments.end(), {"-o", "a.stl", "-o", "a.obj", "-o", "a.ply", "-o", "a.dlfl"});
+        const Ended ended = druse(arguments, folder.path());
+        ASSERT_EQ(ended.status, 0) << ended.err;
+        const Json facts = facts_of(folder, "a.dlfl");
+        expect_good_stl(folder, "a.stl", state.parts, facts["volume"]);
+        // Formats with index lists hold the same surface: what is read again is closed, and has not fallen apart.
+        for (const char* file : {"a.obj", "a.ply"}) {
+            const Json again = facts_of(folder, file);
+            EXPECT_EQ(again["watertight"], true) << file;
+            EXPECT_EQ(again["components"], facts["components"]) << file;
+            EXPECT_EQ(again["euler"], facts["euler"]) << file;
+            if (!is_installed("assimp")) continue;
+            const Ended assimp = run_program("assimp", {"info", file}, folder.path());
+            EXPECT_EQ(assimp.status, 0) << assimp.out;
+            EXPECT_EQ(assimp.out.find("ERROR"), assimp.out.npos) << assimp.out;
+        }
+    }
 }
 
 } // namespace
