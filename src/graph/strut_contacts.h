@@ -50,5 +50,4 @@ private:
 /// The largest factor, at most 1, by which radii are multiplied so that none of the pairs, which are all that may meet, does any more; 0 if none does.
 double clearing_factor(const StrutNeighbours& neighbours, const StrutPlacer& placer, const std::vector<PartPair>& pairs);
 
-
 } // namespace druse

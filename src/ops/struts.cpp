@@ -39,7 +39,8 @@ Graph graph_to_thicken(const Scene& scene, StrutSource source)
 
 /// A clean graph with all that follows from it, which a split begins anew.
 struct Work {
-    Work(CleanGraph c, const StrutShape& shape) : clean(std::move(c)), incidence(clean.graph), placer(clean.graph, incidence, shape), neighbours(clean.graph, incidence)
+    Work(CleanGraph c, const StrutShape& shape)
+        : clean(std::move(c)), incidence(clean.graph), placer(clean.graph, incidence, shape), placement(placer.place()), neighbours(clean.graph, incidence)
     {
     }
     Work(const Work&) = delete; // the parts borrow from each other
@@ -47,7 +48,10 @@ struct Work {
     CleanGraph clean;
     Incidence incidence;
     StrutPlacer placer;
+    StrutPlacement placement;
     StrutNeighbours neighbours;
+    std::vector<PartPair> pairs;  // of parts that may meet
+    std::vector<double> factors;  // of the radii at vertices, if some were lowered
 };
 
 std::string name(const CleanGraph& clean, std::uint32_t edge)
@@ -66,15 +70,79 @@ std::optional<std::string> complaint(const CleanGraph& clean, const std::vector<
     return fmt::format("edges {} and {} cross at {:.6g},{:.6g},{:.6g}; crossings=split joins them", name(clean, c.first), name(clean, c.second), c.place.x, c.place.y, c.place.z);
 }
 
-std::string never_apart(const char* word) { return fmt::format("clearance={}: edges meet, so no radius keeps their struts apart", word); }
-
-void check_fit(const Work& work, const StrutPlacement& placement, const Struts& p, Context& context)
+/// Looks for parts that come near each other, and has an edge end where it crosses another one, if that is what was asked for.
+void join_crossings(std::optional<Work>& work, const Struts& p, std::uint32_t next_id, Context& context)
 {
+    if (p.crossings == Crossings::ignore && p.clearance == Clearance::off) return;
+    Box box;
+    for (const Point& v : work->clean.graph.vertices) box.add(v);
+    const double reach = crossing_reach * box.diagonal();
+    work->pairs = work->neighbours.near(work->placement, reach, context.progress);
+    if (p.crossings == Crossings::ignore) return;
+    std::vector<Crossing> found = crossings(work->clean.graph, work->pairs, reach);
+    if (const auto text = complaint(work->clean, found, p.crossings)) throw CommandError(*text);
+    if (found.empty()) return;
+    CleanGraph pieces = split(work->clean, found, reach, next_id);
+    work.emplace(std::move(pieces), p);
+    context.note(found.size() == 1 ? "1 crossing: split" : fmt::format("{} crossings: split", found.size()));
+    work->pairs = work->neighbours.near(work->placement, reach, context.progress);
+    found = crossings(work->clean.graph, work->pairs, reach);
+    if (const auto text = complaint(work->clean, found, Crossings::error)) throw CommandError(*text);
+}
+
+[[noreturn]] void refuse_to_part(const char* word) { throw CommandError(fmt::format("clearance={}: edges meet, so no radius keeps their struts apart", word)); }
+
+void place_thinner(Work& work, Context& context)
+{
+    work.placement = work.placer.place(1, work.factors);
+    work.pairs = work.neighbours.near(work.placement, 0, context.progress);
+}
+
+/// Lowers radii as far as that can be told before anything is made.
+void keep_apart(Work& work, const Struts& p, Context& context)
+{
+    if (p.clearance == Clearance::off) work.pairs.clear();
+    std::erase_if(work.pairs, [&](const PartPair& pair) { return !work.neighbours.is_near(pair, work.placement); });
+    if (work.pairs.empty()) return;
+    if (p.clearance == Clearance::shrink) {
+        const double factor = clearing_factor(work.neighbours, work.placer, work.pairs);
+        if (!(factor > 0)) refuse_to_part("shrink");
+        context.note(fmt::format("radius lowered to {:.6g}, so that nothing meets", p.radius * factor));
+        work.placement = work.placer.place(factor);
+        work.pairs.clear();
+    } else if (p.clearance == Clearance::thin) {
+        work.factors.assign(work.clean.graph.vertices.size(), 1.0);
+        if (!thin_out(work.clean.graph, work.incidence, work.placer, p, work.pairs, work.factors, context.progress)) refuse_to_part("thin");
+        place_thinner(work, context);
+    }
+}
+
+void check_fit(const Work& work, const Struts& p, Context& context)
+{
+    const StrutPlacement& placement = work.placement;
     if (placement.thinned == 0) return;
     if (p.fit == StrutFit::error)
         throw CommandError(fmt::format("radius={}: does not fit at vertex {}; the largest that fits everywhere is {:.6g}", number_text(p.radius),
                                        work.clean.vertex_ids[placement.least_at], p.radius * work.placer.fitting_factor()));
     context.note(fmt::format("{} thinned, least to {:.2g}", placement.thinned == 1 ? "1 end" : fmt::format("{} ends", placement.thinned), placement.least));
+}
+
+StrutSurface make_surface(const Work& work, const Struts& p, Context& context)
+{
+    return strut_surface(work.clean.graph, work.incidence, work.placer, work.placement, p, context.progress);
+}
+
+/// Says what was thinned, and what crosses all the same.
+void tell_contacts(const Work& work, const StrutContacts& met, const Struts& p, Context& context)
+{
+    if (const auto thinner = std::count_if(work.factors.begin(), work.factors.end(), [](double factor) { return factor < 1; }); thinner > 0)
+        context.note(fmt::format("{} thinned, so that nothing meets, least to {:.2g}", thinner == 1 ? "1 vertex" : fmt::format("{} vertices", thinner),
+                                 *std::min_element(work.factors.begin(), work.factors.end())));
+    if (met.pairs == 0) return;
+    const std::string text = met.pairs == 1 ? "1 pair of triangles crosses"
+                                            : fmt::format("{} pairs of triangles{} cross", met.pairs, met.pairs < StrutContacts::most ? "" : " or more");
+    if (p.clearance == Clearance::error) throw CommandError(text + "; a smaller radius or clearance=thin keeps struts apart");
+    context.note(text + " where struts come too near each other; clearance=thin keeps them apart");
 }
 
 /// Struts in place of the mesh or after it, with groups of their own, and red where they cross.
@@ -114,66 +182,23 @@ void make_struts(Scene& scene, const Struts& p, Context& context)
     std::optional<Work> work;
     work.emplace(cleaned(graph, p.weld, repairs), p);
     for (std::string& note : repairs.notes()) context.note(std::move(note));
+    if (const std::uint64_t edges = count_edges(work->clean.graph, work->incidence, p); edges > most_strut_edges)
+        throw CommandError(fmt::format("would make {} million edges, more than {} million", edges / 1'000'000, most_strut_edges / 1'000'000));
+    join_crossings(work, p, static_cast<std::uint32_t>(graph.vertices.size()), context);
+    keep_apart(*work, p, context);
+    check_fit(*work, p, context);
 
-    Box box;
-    for (const Point& v : graph.vertices) box.add(v);
-    const double reach = crossing_reach * box.diagonal();
-    StrutPlacement placement = work->placer.place();
-    std::vector<PartPair> pairs;
-    const bool looks = p.crossings != Crossings::ignore || p.clearance != Clearance::off;
-    if (looks) pairs = work->neighbours.near(placement, reach, context.progress);
-    if (p.crossings != Crossings::ignore) {
-        std::vector<Crossing> found = crossings(work->clean.graph, pairs, reach);
-        if (const auto text = complaint(work->clean, found, p.crossings)) throw CommandError(*text);
-        if (!found.empty()) {
-            CleanGraph pieces = split(work->clean, found, reach, static_cast<std::uint32_t>(graph.vertices.size()));
-            context.note(found.size() == 1 ? "1 crossing: split" : fmt::format("{} crossings: split", found.size()));
-            work.emplace(std::move(pieces), p);
-            placement = work->placer.place();
-            pairs = work->neighbours.near(placement, reach, context.progress);
-            found = crossings(work->clean.graph, pairs, reach);
-            if (const auto text = complaint(work->clean, found, Crossings::error)) throw CommandError(*text);
-        }
+    StrutSurface made = make_surface(*work, p, context);
+    StrutContacts met = work->neighbours.contacts(made, work->pairs, context.progress);
+    for (int round = 0; p.clearance == Clearance::thin && met.pairs > 0; ++round) { // caps, and struts that widen beside thinner balls
+        if (round == most_rounds) refuse_to_part("thin");
+        for (const PartPair& pair : met.parts) thin(work->clean.graph, pair, work->factors);
+        place_thinner(*work, context);
+        made = make_surface(*work, p, context);
+        met = work->neighbours.contacts(made, work->pairs, context.progress);
     }
-    if (p.clearance == Clearance::off) pairs.clear();
-    std::erase_if(pairs, [&](const PartPair& pair) { return !work->neighbours.is_near(pair, placement); });
-    if (p.clearance == Clearance::shrink && !pairs.empty()) {
-        const double factor = clearing_factor(work->neighbours, work->placer, pairs);
-        if (!(factor > 0)) throw CommandError(never_apart("shrink"));
-        context.note(fmt::format("radius lowered to {:.6g}, so that nothing meets", p.radius * factor));
-        placement = work->placer.place(factor);
-        pairs.clear();
-    }
-    std::vector<double> factors;
-    if (p.clearance == Clearance::thin && !pairs.empty()) {
-        factors.assign(work->clean.graph.vertices.size(), 1.0);
-        if (!thin_out(work->clean.graph, work->incidence, work->placer, p, pairs, factors, context.progress)) throw CommandError(never_apart("thin"));
-        placement = work->placer.place(1, factors);
-        pairs = work->neighbours.near(placement, 0, context.progress);
-    }
-    check_fit(*work, placement, p, context);
+    tell_contacts(*work, met, p, context);
 
-    const std::uint64_t edges = count_edges(work->clean.graph, work->incidence, p);
-    if (edges > most_strut_edges) throw CommandError(fmt::format("would make {} million edges, more than {} million", edges / 1'000'000, most_strut_edges / 1'000'000));
-    StrutSurface made = strut_surface(work->clean.graph, work->incidence, work->placer, placement, p, context.progress);
-    StrutContacts met = work->neighbours.contacts(made, pairs, context.progress);
-    for (int round = 0; p.clearance == Clearance::thin && met.pairs > 0; ++round) { // caps, and what thinner balls uncovered
-        if (round == most_rounds) throw CommandError(never_apart("thin"));
-        for (const PartPair& pair : met.parts) thin(work->clean.graph, pair, factors);
-        placement = work->placer.place(1, factors);
-        pairs = work->neighbours.near(placement, 0, context.progress);
-        made = strut_surface(work->clean.graph, work->incidence, work->placer, placement, p, context.progress);
-        met = work->neighbours.contacts(made, pairs, context.progress);
-    }
-    if (const auto thinner = std::count_if(factors.begin(), factors.end(), [](double factor) { return factor < 1; }); thinner > 0)
-        context.note(fmt::format("{} thinned, so that nothing meets, least to {:.2g}", thinner == 1 ? "1 vertex" : fmt::format("{} vertices", thinner),
-                                 *std::min_element(factors.begin(), factors.end())));
-    if (met.pairs > 0) {
-        const std::string text = met.pairs == 1 ? "1 pair of triangles crosses"
-                                                : fmt::format("{} pairs of triangles{} cross", met.pairs, met.pairs < StrutContacts::most ? "" : " or more");
-        if (p.clearance == Clearance::error) throw CommandError(text + "; a smaller radius or clearance=thin keeps struts apart");
-        context.note(text + " where struts come too near each other; clearance=thin keeps them apart");
-    }
     graph.struts = std::move(made.table);
     graph.struts.vertex_ids = std::move(work->clean.vertex_ids);
     graph.struts.edge_ids = std::move(work->clean.edge_ids);

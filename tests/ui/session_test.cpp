@@ -52,6 +52,24 @@ TEST_F(CubeSession, ShowsWhatACommandMade)
     EXPECT_EQ(events, std::vector<std::string>{"applied make.cube faces=6"});
 }
 
+TEST_F(CubeSession, ShowsAGraphAsLinesAndStrutsThatFollowASlider)
+{
+    run("graph.wireframe");
+    EXPECT_EQ(session.display().lists.edge_limit(), 12u);
+    EXPECT_EQ(session.display().lists.triangle_count(), 0u);
+    run("graph.lattice cells=1,1,1"); // the mesh stays empty, and another graph is shown
+    EXPECT_EQ(session.display().lists.edge_limit(), 16u);
+    choose("graph.struts");
+    session.apply_chosen({});
+    session.wait();
+    set("sides", "8");
+    EXPECT_EQ(steps(), (std::vector<std::string>{"make.cube", "graph.wireframe", "graph.lattice cells=1,1,1", "graph.struts sides=8"}));
+    EXPECT_EQ(session.display().facts->genus, 3);
+    run("document.undo");
+    EXPECT_EQ(session.display().lists.edge_limit(), 16u);
+    EXPECT_EQ(session.display().lists.triangle_count(), 0u);
+}
+
 TEST_F(CubeSession, AnErrorIsSaidAndChangesNothing)
 {
     run("extrude.cubical faces=99");
