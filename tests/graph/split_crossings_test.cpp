@@ -1,6 +1,5 @@
 #include "graph/split_crossings.h"
 
-#include "geom/segments.h"
 #include "graph/graph_facts.h"
 
 #include <gtest/gtest.h>
@@ -24,19 +23,6 @@ CleanGraph clean(const Graph& graph)
 {
     GraphRepairs repairs;
     return cleaned(graph, 0, repairs);
-}
-
-TEST(NearestPoints, OfSegmentsAreWhereTheyCrossOrEnd)
-{
-    const auto near = [](Point a, Point b, Point c, Point d) { return nearest_points(a, b, c, d); };
-    EXPECT_NEAR(near({0, 0, 0}, {2, 0, 0}, {1, -1, 0.5}, {1, 3, 0.5}).distance, 0.5, 1e-15);
-    EXPECT_NEAR(near({0, 0, 0}, {2, 0, 0}, {1, -1, 0}, {1, 3, 0}).s, 0.5, 1e-15);
-    EXPECT_NEAR(near({0, 0, 0}, {2, 0, 0}, {1, -1, 0}, {1, 3, 0}).t, 0.25, 1e-15);
-    EXPECT_NEAR(near({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}).distance, 1, 1e-15);         // one after the other
-    EXPECT_NEAR(near({0, 0, 0}, {4, 0, 0}, {1, 2, 0}, {2, 2, 0}).distance, 2, 1e-15);         // side by side
-    EXPECT_NEAR(near({0, 0, 0}, {0, 0, 0}, {3, 4, 0}, {3, 4, 0}).distance, 5, 1e-15);         // two points
-    EXPECT_NEAR(near({0, 0, 0}, {1, 1e-12, 0}, {0, 1e-3, 0}, {1, 1e-3, 0}).distance, 1e-3, 1e-11);
-    EXPECT_NEAR(distance_to_segment({5, 3, 4}, {0, 0, 0}, {5, 0, 0}), 5, 1e-15);
 }
 
 TEST(SplitCrossings, PutsAVertexWhereEdgesCross)
