@@ -24,7 +24,7 @@ TEST(GraphInDocument, ComesBackByUndoAndRedo)
 {
     Document document = document_of(all_operators(), cube());
     std::vector<State> states{State(document)};
-    for (const char* command : {"graph.wireframe keep=true", "graph.struts", "graph.lattice kind=srs", "graph.struts keep=true", "graph.wireframe", "graph.struts sides=3"}) {
+    for (const char* command : {"graph.wireframe keep=true", "graph.struts", "graph.lattice kind=srs", "graph.struts keep=true", "graph.wireframe", "graph.struts sides=3 crossings=ignore clearance=off"}) {
         EXPECT_EQ(complaint(document, command), "") << command;
         states.emplace_back(document);
     }
