@@ -8,16 +8,16 @@ using Index = Triangulation::Index;
 
 Triangulation::Trace Triangulation::trace(Index u, Index v)
 {
-    const Point2 &from = positions_[u], &to = positions_[v];
+    const Point2 &from = position(u), &to = position(v);
     // Around u: the side to v, a vertex on the way, or the face u a b with a to the right of the line and b to the left.
-    Index h = out_[u];
+    Index h = out(u);
     const Index first = h;
-    int side_of_a = orient(from, to, positions_[target(h)]);
+    int side_of_a = orient(from, to, position(target(h)));
     while (true) {
         const Index a = target(h);
         if (a == v) return {Trace::Met::edge, h};
-        if (side_of_a == 0 && glm::dot(positions_[a] - from, to - from) > 0) return {Trace::Met::vertex, a};
-        const int side_of_b = orient(from, to, positions_[apex(h)]);
+        if (side_of_a == 0 && glm::dot(position(a) - from, to - from) > 0) return {Trace::Met::vertex, a};
+        const int side_of_b = orient(from, to, position(apex(h)));
         if (side_of_a < 0 && side_of_b > 0) break;
         side_of_a = side_of_b;
         h = turn(h);
@@ -35,7 +35,7 @@ Triangulation::Trace Triangulation::trace(Index u, Index v)
             left_rim_.push_back(previous(o));
             return {Trace::Met::free, none};
         }
-        const int side_of_c = orient(from, to, positions_[c]);
+        const int side_of_c = orient(from, to, position(c));
         if (side_of_c == 0) return {Trace::Met::vertex, c};
         if (side_of_c > 0) {
             left_rim_.push_back(previous(o));
@@ -105,9 +105,9 @@ void Triangulation::fill_chain(Index base, Index first, Index last)
         const Index a = chain_[j == chain_.size() ? 0 : j].origin, b = chain_[i].origin;
         Index best = i + 1;
         for (Index m = i + 2; m < j; ++m)
-            if (incircle_in_order(positions_[a], positions_[b], positions_[chain_[best].origin], positions_[chain_[m].origin]) > 0) best = m;
+            if (incircle_in_order(position(a), position(b), position(chain_[best].origin), position(chain_[m].origin)) > 0) best = m;
         const Index c = chain_[best].origin, t = spare_faces_[used++];
-        ASSERT(orient(positions_[a], positions_[b], positions_[c]) > 0, "faces turn counter-clockwise");
+        ASSERT(orient(position(a), position(b), position(c)) > 0, "faces turn counter-clockwise");
         side(t).origin = a;
         side(t + 1).origin = b;
         side(t + 2).origin = c;

@@ -89,14 +89,10 @@ Index Triangulation::insert_all(std::span<const Point2> points, double weld, std
     const std::vector<std::uint32_t> order = hilbert_order(points);
     const auto count = static_cast<Index>(points.size());
     made.resize(count);
-    const Index first = positions_.size();
-    positions_.reserve(first + count);
-    out_.reserve(first + count);
+    const Index first = vertices_.size();
+    vertices_.reserve(first + count);
     sides_.reserve(sides_.size() + std::size_t(count) * 8);
-    for (const std::uint32_t i : order) {
-        positions_.add(points[i]);
-        out_.add(none);
-    }
+    for (const std::uint32_t i : order) vertices_.add({points[i], none});
     state_.vertices += count;
     Index refused = none;
     std::vector<Index> double_points;
@@ -105,8 +101,8 @@ Index Triangulation::insert_all(std::span<const Point2> points, double weld, std
         for (Index i = 0; i < count; i += step) {
             if (step != least_step && i % (step * 8) == 0) continue;
             const Index v = first + i;
-            const Point2& p = positions_[v];
-            const Index start = i >= step ? out_[made[order[i - step]]] : state_.corners[0] < first ? out_[state_.corners[0]] : last_;
+            const Point2& p = position(v);
+            const Index start = i >= step ? out(made[order[i - step]]) : state_.corners[0] < first ? out(state_.corners[0]) : last_;
             const Place at = locate(p, start);
             if (!is_inside(at.side) && !(at.kind == Place::Kind::side && is_inside(twin(at.side)))) {
                 refused = order[i];

@@ -39,10 +39,10 @@ Triangulation::Place Triangulation::locate(const Point2& p) const { return locat
 Triangulation::Place Triangulation::locate(const Point2& p, Index from) const
 {
     Index h = from;
-    int at_entry = orient(positions_[origin(h)], positions_[target(h)], p);
+    int at_entry = orient(position(origin(h)), position(target(h)), p);
     if (at_entry < 0) {
         h = twin(h) == none ? next(h) : twin(h);
-        at_entry = twin(from) == none ? orient(positions_[origin(h)], positions_[target(h)], p) : 1;
+        at_entry = twin(from) == none ? orient(position(origin(h)), position(target(h)), p) : 1;
     }
     const std::size_t limit = 64 + 4 * static_cast<std::size_t>(std::sqrt(double(state_.vertices)));
     bool far = false;
@@ -53,20 +53,22 @@ Triangulation::Place Triangulation::locate(const Point2& p, Index from) const
         left = next(h);
         right = previous(h);
         if (steps > 32 && (step(random_) & 1) != 0) std::swap(left, right);
-        if ((at_left = orient(positions_[origin(left)], positions_[target(left)], p)) < 0) h = twin(left);
-        else if ((at_right = orient(positions_[origin(right)], positions_[target(right)], p)) < 0) h = twin(right);
+        if ((at_left = orient(position(origin(left)), position(target(left)), p)) < 0) h = twin(left);
+        else if ((at_right = orient(position(origin(right)), position(target(right)), p)) < 0) h = twin(right);
         else break;
         at_entry = 1;
         if (steps == limit && !far) {
             far = true;
             h = far_start(p);
-            at_entry = orient(positions_[origin(h)], positions_[target(h)], p);
+            at_entry = orient(position(origin(h)), position(target(h)), p);
             if (at_entry < 0) {
                 h = twin(h) == none ? h : twin(h);
                 at_entry = -at_entry;
             }
         }
     }
+    for (Index k = face(h); k < (h | 3); ++k) // what an insertion will look at next
+        if (twin(k) != none) __builtin_prefetch(&sides_[twin(k)]);
     Place place{h, Place::Kind::face};
     const int zeros = (at_entry == 0) + (at_left == 0) + (at_right == 0);
     if (zeros == 1) place = {at_entry == 0 ? h : at_left == 0 ? left : right, Place::Kind::side};
@@ -87,24 +89,24 @@ std::size_t Triangulation::cell(const Point2& p) const
     return static_cast<std::size_t>(y) * grid_width_ + static_cast<std::size_t>(x);
 }
 
-/// One cell for two points over the box of all points; a cell names a side seen there last, which may have gone elsewhere since.
+/// One cell for each point over the box of all points; a cell names a side seen there last, which may have gone elsewhere since.
 void Triangulation::lay_grid() const
 {
     grid_points_ = state_.vertices;
-    grid_width_ = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(double(grid_points_) / 2)));
+    grid_width_ = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(double(grid_points_))));
     Point2 min(1e300), max(-1e300);
     for (Index h = 0; h < sides_.size(); h += 4)
         if (is_face(h))
             for (Index k = 0; k < 3; ++k)
                 if (!is_corner(origin(h + k))) {
-                    min = glm::min(min, positions_[origin(h + k)]);
-                    max = glm::max(max, positions_[origin(h + k)]);
+                    min = glm::min(min, position(origin(h + k)));
+                    max = glm::max(max, position(origin(h + k)));
                 }
     grid_min_ = min;
     for (int k = 0; k < 2; ++k) grid_scale_[k] = max[k] > min[k] ? double(grid_width_) / (max[k] - min[k]) : 0;
     grid_.assign(grid_width_ * grid_width_, none);
     for (Index h = 0; h < sides_.size(); h += 4)
-        if (is_face(h) && !is_corner(origin(h))) grid_[cell(positions_[origin(h)])] = h;
+        if (is_face(h) && !is_corner(origin(h))) grid_[cell(position(origin(h)))] = h;
     Index known = last_;
     for (Index& h : grid_) {
         if (h == none) h = known;
@@ -120,10 +122,25 @@ Index Triangulation::start_near(const Point2& p) const
     }
     if (state_.vertices < 32) return last_;
     if (state_.vertices > 2 * grid_points_ || grid_.empty()) lay_grid();
-    const Point2 apart = (p - last_place_) * grid_scale_;
-    if (std::abs(apart.x) + std::abs(apart.y) < 2) return last_;
-    const Index h = grid_[cell(p)];
-    return h < sides_.size() && is_face(h) ? h : last_;
+    const auto cells_away = [&](const Point2& q) {
+        const Point2 apart = (p - q) * grid_scale_;
+        return std::abs(apart.x) + std::abs(apart.y);
+    };
+    double least = cells_away(last_place_);
+    if (least < 2) return last_;
+    // A side may have gone elsewhere since it was noted down: then one of the cells beside knows better.
+    Index best = last_;
+    const std::size_t here = cell(p), end = grid_.size();
+    for (const std::size_t i : {here, here + 1, here - 1, here + grid_width_, here - grid_width_}) {
+        if (i >= end || grid_[i] >= sides_.size() || !is_face(grid_[i])) continue;
+        const double away = cells_away(position(origin(grid_[i])));
+        if (away < least) {
+            least = away;
+            best = grid_[i];
+        }
+        if (least < 6) break;
+    }
+    return best;
 }
 
 void Triangulation::remember(const Point2& p, Index h) const
@@ -142,7 +159,7 @@ Index Triangulation::far_start(const Point2& p) const
         const std::uint64_t number = (std::uint64_t(step(random_)) << 16) | step(random_);
         const auto h = static_cast<Index>(number * (sides_.size() / 4) >> 32) * 4;
         if (!is_face(h)) continue;
-        const double d = distance2(p, positions_[origin(h)]);
+        const double d = distance2(p, position(origin(h)));
         if (d < least) {
             least = d;
             best = h;
@@ -161,7 +178,7 @@ Triangulation::Nearby Triangulation::look_around(const Point2& p, const Place& a
     const double reach2 = reach * reach;
     const auto nearer = [&](Index& best, double& least, Index candidate, double d2) {
         if (d2 > reach2 || (best != none && d2 > least)) return;
-        if (best != none && d2 == least && !is_before(positions_[origin(candidate)], positions_[origin(best)])) return;
+        if (best != none && d2 == least && !is_before(position(origin(candidate)), position(origin(best)))) return;
         best = candidate;
         least = d2;
     };
@@ -179,12 +196,12 @@ Triangulation::Nearby Triangulation::look_around(const Point2& p, const Place& a
         waiting.pop_back();
         for (Index h = t; h < t + 3; ++h) {
             const Index v = origin(h), w = target(h);
-            if (v != ignored && !is_corner(v)) nearer(vertex_side, found.vertex_distance2, h, distance2(p, positions_[v]));
-            const double d2 = distance2(p, positions_[v], positions_[w]);
+            if (v != ignored && !is_corner(v)) nearer(vertex_side, found.vertex_distance2, h, distance2(p, position(v)));
+            const double d2 = distance2(p, position(v), position(w));
             if (d2 > reach2) continue;
             if (v != ignored && w != ignored && (bits(h) & hull_bit) == 0) {
                 // One side stands for both, the one that starts first, so that the answer is that of the edge.
-                const Index named = is_before(positions_[v], positions_[w]) ? h : twin(h);
+                const Index named = is_before(position(v), position(w)) ? h : twin(h);
                 if (is_fixed(h)) nearer(found.fixed, found.fixed_distance2, named, d2);
                 else nearer(found.free, found.free_distance2, named, d2);
             }
@@ -204,7 +221,7 @@ bool Triangulation::is_near_a_side(const Point2& p, Index of_face, double reach)
 {
     bool near = false;
     for (Index h = face(of_face); h < (of_face | 3); ++h) {
-        const Point2 &a = positions_[origin(h)], &b = positions_[target(h)];
+        const Point2 &a = position(origin(h)), &b = position(target(h));
         const Point2 u = b - a, w = p - a;
         near |= std::abs(u.x * w.y - u.y * w.x) <= reach * (std::abs(u.x) + std::abs(u.y));
     }

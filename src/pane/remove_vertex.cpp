@@ -34,11 +34,11 @@ struct RimCorner {
 
 void Triangulation::remove(Index v)
 {
-    const Point2 centre = positions_[v];
+    const Point2 centre = position(v);
     thread_local std::vector<RimCorner> rim;
     rim.clear();
     spare_faces_.clear();
-    const Index first = out_[v];
+    const Index first = out(v);
     Index h = first;
     do {
         ASSERT(!is_fixed(h), "a vertex is removed when nothing is tied to it");
@@ -55,7 +55,7 @@ void Triangulation::remove(Index v)
     }
     const auto measure = [&](std::uint32_t i) {
         RimCorner& corner = rim[i];
-        const Point2 &a = positions_[rim[corner.before].vertex], &b = positions_[corner.vertex], &c = positions_[rim[corner.after].vertex];
+        const Point2 &a = position(rim[corner.before].vertex), &b = position(corner.vertex), &c = position(rim[corner.after].vertex);
         const bool ear = orient(a, b, c) > 0 && orient(a, c, centre) >= 0;
         const double inside = depth(a - centre, b - centre, c - centre); // overflows where coordinates are huge
         corner.depth = !ear ? std::numeric_limits<double>::infinity() : inside < latest ? inside : latest;

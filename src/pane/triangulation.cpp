@@ -30,13 +30,13 @@ Triangulation::Triangulation(const Point2& min, const Point2& max)
 
 bool Triangulation::in_box(const Point2& p) const
 {
-    const Point2 &min = positions_[state_.corners[0]], &max = positions_[state_.corners[2]];
+    const Point2 &min = position(state_.corners[0]), &max = position(state_.corners[2]);
     return p.x > min.x && p.x < max.x && p.y > min.y && p.y < max.y;
 }
 
 Index Triangulation::find_side(Index u, Index v) const
 {
-    Index h = out_[u];
+    Index h = out(u);
     const Index first = h;
     do {
         if (target(h) == v) return h;
@@ -71,12 +71,10 @@ Index Triangulation::new_vertex(const Point2& p)
 {
     ++state_.vertices;
     const Index v = state_.free_vertices;
-    if (v == none) {
-        positions_.add(p);
-        return out_.add(none);
-    }
-    state_.free_vertices = out_[v];
-    positions_.change(v) = p;
+    if (v == none)
+        return vertices_.add({p, none});
+    state_.free_vertices = out(v);
+    vertices_.change(v).place = p;
     return v;
 }
 
@@ -164,7 +162,7 @@ void Triangulation::split_face(Index h, Index v)
         sides[s | 3].origin |= (word >> 1) & edge_bits;
         sides[r | 3].origin |= (word >> 2) & edge_bits;
     }
-    if (out_[c] == t + 2) set_out(c, r);
+    if (out(c) == t + 2) set_out(c, r);
     set_out(v, t + 2);
 }
 
@@ -192,14 +190,16 @@ void Triangulation::split_side(Index h, Index v)
     lead_back(twin_o, r + 1);
     put_bits(hn, 0);
     put_bits(on, 0);
-    if (out_[b] == hn) set_out(b, s + 1);
-    if (out_[a] == on) set_out(a, r + 1);
+    if (out(b) == hn) set_out(b, s + 1);
+    if (out(a) == on) set_out(a, r + 1);
     set_out(v, s);
 }
 
 /// Ties the vertex v, alone so far, to the face or side that it lies in.
 void Triangulation::join(Index v, const Place& at)
 {
+    for (Index h = face(at.side); h < (at.side | 3); ++h) // in a large pane these are far apart in memory: fetched all at once
+        if (twin(h) != none) __builtin_prefetch(&vertices_[apex(twin(h))]);
     if (at.kind == Place::Kind::face) split_face(at.side, v);
     else split_side(at.side, v);
     legalise_star(v);
@@ -210,26 +210,26 @@ Index Triangulation::insert(const Point2& p, const Place& at)
     ASSERT(at.kind != Place::Kind::vertex, "a new vertex is not where one is");
     const Index v = new_vertex(p);
     join(v, at);
-    remember(p, out_[v]);
+    remember(p, out(v));
     return v;
 }
 
 bool Triangulation::move(Index v, const Point2& p)
 {
-    const Index first = out_[v];
+    const Index first = out(v);
     Index h = first;
     do {
-        if (orient(positions_[target(h)], positions_[apex(h)], p) <= 0) return false;
+        if (orient(position(target(h)), position(apex(h)), p) <= 0) return false;
         h = turn(h);
     } while (h != first);
-    positions_.change(v) = p;
+    vertices_.change(v).place = p;
     do {
         queue_.push_back(h);
         queue_.push_back(next(h));
         h = turn(h);
     } while (h != first);
     legalise();
-    remember(p, out_[v]);
+    remember(p, out(v));
     return true;
 }
 
@@ -237,7 +237,7 @@ bool Triangulation::move(Index v, const Point2& p)
 
 bool Triangulation::wants_flip(Index h) const
 {
-    return incircle_in_order(positions_[origin(h)], positions_[target(h)], positions_[apex(h)], positions_[apex(twin(h))]) > 0;
+    return incircle_in_order(position(origin(h)), position(target(h)), position(apex(h)), position(apex(twin(h)))) > 0;
 }
 
 /// Turns the edge a b of the faces a b c and b a d into d c. Afterwards h runs from d to b and twin(h) of before from c to a.
@@ -261,24 +261,24 @@ inline void Triangulation::flip(Index h)
     sides[op].twin = hp;
     lead_back(twin_h, h);
     lead_back(twin_o, o);
-    if (out_[a] == h) set_out(a, on);
-    if (out_[b] == o) set_out(b, hn);
+    if (out(a) == h) set_out(a, on);
+    if (out(b) == o) set_out(b, hn);
 }
 
 /// The edges opposite v are the only ones that a new vertex v may have spoilt; a flip puts two others in the place of one. All is seen from v.
 void Triangulation::legalise_star(Index v)
 {
-    const Point2 p = positions_[v];
-    Index h = next(out_[v]);
+    const Point2 p = position(v);
+    Index h = next(out(v));
     const Index stop = origin(h);
-    filter::Seen a = filter::seen(positions_[stop], p), b = filter::seen(positions_[target(h)], p);
+    filter::Seen a = filter::seen(position(stop), p), b = filter::seen(position(target(h)), p);
     while (true) {
         if (!is_fixed(h)) {
             const Index o = twin(h), d_vertex = apex(o);
-            const filter::Seen d = filter::seen(positions_[d_vertex], p);
+            const filter::Seen d = filter::seen(position(d_vertex), p);
             // d is within the circle through a, b, v where v is without that through a, b, d, which turns the other way.
             const int sign = filter::incircle(a, b, d);
-            if (sign < 0 || (sign == 0 && incircle_in_order(positions_[origin(h)], positions_[target(h)], p, positions_[d_vertex]) > 0)) {
+            if (sign < 0 || (sign == 0 && incircle_in_order(position(origin(h)), position(target(h)), p, position(d_vertex)) > 0)) {
                 flip(h);
                 h = next(o);
                 b = d;
@@ -288,7 +288,7 @@ void Triangulation::legalise_star(Index v)
         if (target(h) == stop) return;
         h = next(twin(next(h)));
         a = b;
-        b = filter::seen(positions_[target(h)], p);
+        b = filter::seen(position(target(h)), p);
     }
 }
 
@@ -311,7 +311,7 @@ void Triangulation::legalise()
 void Triangulation::grow_box(const Point2& p)
 {
     const auto old = state_.corners;
-    Point2 min = glm::min(positions_[old[0]], p), max = glm::max(positions_[old[2]], p);
+    Point2 min = glm::min(position(old[0]), p), max = glm::max(position(old[2]), p);
     const Point2 room = max - min;
     min -= room;
     max += room;
@@ -334,7 +334,7 @@ void Triangulation::grow_box(const Point2& p)
     }
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t j = (i + 1) % 4;
-        Index h = out_[old[i]];
+        Index h = out(old[i]);
         while (twin(h) != none) h = next(twin(h)); // clockwise, as far as the side old[i] → old[j] of the old box
         touch(h);
         glue(low[i], h, 0);
@@ -355,42 +355,37 @@ void Triangulation::begin()
 {
     before_ = state_;
     sides_.begin();
-    positions_.begin();
-    out_.begin();
+    vertices_.begin();
 }
 
 void Triangulation::end() noexcept
 {
     sides_.end();
-    positions_.end();
-    out_.end();
+    vertices_.end();
 }
 
-Triangulation::Change Triangulation::take() { return {sides_.take(), positions_.take(), out_.take(), before_}; }
+Triangulation::Change Triangulation::take() { return {sides_.take(), vertices_.take(), before_}; }
 
 void Triangulation::roll_back() noexcept
 {
     queue_.clear();
     state_ = before_;
     sides_.roll_back();
-    positions_.roll_back();
-    out_.roll_back();
+    vertices_.roll_back();
     last_ = 0;
 }
 
 void Triangulation::undo(Change& change)
 {
     sides_.undo(change.sides);
-    positions_.undo(change.positions);
-    out_.undo(change.out);
+    vertices_.undo(change.vertices);
     std::swap(state_, change.state);
 }
 
 void Triangulation::redo(Change& change)
 {
     sides_.redo(change.sides);
-    positions_.redo(change.positions);
-    out_.redo(change.out);
+    vertices_.redo(change.vertices);
     std::swap(state_, change.state);
 }
 
@@ -399,13 +394,13 @@ std::uint64_t Triangulation::fingerprint() const
     std::uint64_t hash = 14695981039346656037u;
     const auto mix = [&](std::uint64_t word) { hash = (hash ^ word) * 1099511628211u; };
     for (Index h = 0; h < sides_.size(); ++h) mix((std::uint64_t(sides_[h].origin) << 32) | sides_[h].twin);
-    for (Index v = 0; v < positions_.size(); ++v) {
-        for (const double x : {positions_[v].x, positions_[v].y}) {
+    for (Index v = 0; v < vertices_.size(); ++v) {
+        for (const double x : {position(v).x, position(v).y}) {
             std::uint64_t word;
             std::memcpy(&word, &x, sizeof word);
             mix(word);
         }
-        mix(out_[v]);
+        mix(out(v));
     }
     for (const Index c : state_.corners) mix(c);
     mix(state_.free_faces);

@@ -64,15 +64,15 @@ public:
     static Index face(Index h) { return h & ~3u; } // the first side of the face
     Index target(Index h) const { return origin(next(h)); }
     Index apex(Index h) const { return origin(previous(h)); }
-    Index out(Index v) const { return out_[v]; } // a side that leaves v
+    Index out(Index v) const { return vertices_[v].out; } // a side that leaves v
     Index turn(Index h) const { return twin(previous(h)); } // the next side that leaves origin(h), counter-clockwise; none on the box
-    const Point2& position(Index v) const { return positions_[v]; }
+    const Point2& position(Index v) const { return vertices_[v].place; }
     std::uint32_t bits(Index h) const { return (flags(h) >> (h & 3)) & edge_bits; }
     bool is_fixed(Index h) const { return bits(h) != 0; }
     bool is_inside(Index h) const { return (flags(h) & inside_bit) != 0; } // of the face
     bool is_face(Index h) const { return (flags(h) & dead_bit) == 0; }
     Index side_end() const { return sides_.size(); } // faces are face(h) for h = 0, 4, … below this, where is_face(h)
-    Index vertex_end() const { return positions_.size(); }
+    Index vertex_end() const { return vertices_.size(); }
     bool is_corner(Index v) const { return v == state_.corners[0] || v == state_.corners[1] || v == state_.corners[2] || v == state_.corners[3]; }
     Index corner(int i) const { return state_.corners[std::size_t(i)]; }
     bool in_box(const Point2& p) const;
@@ -124,12 +124,15 @@ public:
     struct Side {
         Index origin, twin; // of the fourth in a face: flags, and the next free face
     };
+    struct Vertex {
+        Point2 place;
+        Index out; // a side that leaves it; of a free vertex, the next free one
+    };
     struct Change {
         Journaled<Side, 2>::Change sides;
-        Journaled<Point2>::Change positions;
-        Journaled<Index>::Change out;
+        Journaled<Vertex>::Change vertices;
         State state;
-        std::size_t bytes() const { return sides.bytes() + positions.bytes() + out.bytes(); }
+        std::size_t bytes() const { return sides.bytes() + vertices.bytes(); }
     };
     void begin();
     void end() noexcept;
@@ -147,7 +150,7 @@ private:
     std::uint32_t flags(Index h) const { return sides_[h | 3].origin; }
     void touch(Index h) { sides_.keep(h >> 2); }
     Side& side(Index h) { return sides_.kept(h); }
-    void set_out(Index v, Index h) { out_.change(v) = h; }
+    void set_out(Index v, Index h) { vertices_.change(v).out = h; }
     Index new_face(std::uint32_t flags);
     void free_face(Index h);
     Index new_vertex(const Point2& p);
@@ -170,8 +173,7 @@ private:
     void fill_chain(Index base, Index first, Index last);
 
     Journaled<Side, 2> sides_;
-    Journaled<Point2> positions_;
-    Journaled<Index> out_; // of a free vertex: the next free one
+    Journaled<Vertex> vertices_;
     State state_, before_;
 
     // Where walks start: nothing that a result depends on.
