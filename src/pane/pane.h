@@ -307,6 +307,12 @@ private:
     // quality
     friend class Refiner;
 
+    // restoring
+    friend Pane restore(const struct PaneRecord& record);
+    void take_ids(std::span<const std::uint32_t> ids, std::span<const std::uint32_t> new_of, std::uint32_t next);
+    void take_segment(std::uint32_t id, std::span<const PointId> path);
+    void skip_segments(std::uint32_t next);
+
     // loops
     void flood();
 

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "pane/pane.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace druse {
+
+/// All that a pane is, as files keep it. Lists of numbers count positions in `points`, which are in ascending id. Equal panes have equal records:
+/// loops start at their smallest point, triangles too, and all lists are sorted.
+struct PaneRecord {
+    using Number = std::uint32_t;
+
+    std::vector<Point2> points;
+    std::vector<Number> ids;                                   // of points
+    std::vector<std::vector<Number>> boundary;                 // the outer loop, then the holes
+    std::vector<std::array<Number, 2>> constraints;            // each piece of each segment once, the smaller number first
+    std::vector<std::array<Number, 3>> triangles;              // counter-clockwise
+    std::vector<std::pair<Number, std::vector<Number>>> segments; // id, and the points of the chain
+    std::vector<Number> locked;
+    double snap = 0, weld = 0;
+    Number next_point = 0, next_segment = 0;
+
+    friend bool operator==(const PaneRecord&, const PaneRecord&) = default;
+};
+
+PaneRecord record(const Pane& pane);
+
+/// The pane that a record tells of; `constraints` and `triangles` follow from the rest and are not read. Throws PaneRefusal where the record is
+/// none of a pane: a number out of range, loops that are no boundary, a segment that meets more than its points. Which points are crossings a record
+/// does not tell: they are interior points afterwards.
+Pane restore(const PaneRecord& record);
+
+} // namespace druse
