@@ -115,6 +115,7 @@ public:
             if (key != "preset") set(key, value);
         check_required();
         check_exclusive();
+        check_governed();
         return std::move(call_);
     }
 
@@ -172,6 +173,21 @@ private:
             if (found.size() != 1)
                 throw CommandError(fmt::format("expected exactly one of {}, found {}", listing(set, "and"),
                                                found.empty() ? "none" : listing(found, "and")));
+        }
+    }
+
+    /// `turns: to=torus does not use it; it uses size, cycles, major and rho`.
+    void check_governed() const
+    {
+        for (std::size_t i = 0; i < op_.parameters.size(); ++i) {
+            const Parameter& p = op_.parameters[i];
+            if (!call_.given[i] || p.governor.empty()) continue;
+            const std::string value = op_.find(p.governor)->text(call_.parameters.get());
+            if (Operator::counts(p, value)) continue;
+            std::vector<std::string> used;
+            for (const Parameter& other : op_.parameters)
+                if (other.name != p.governor && (other.governor.empty() || (other.governor == p.governor && Operator::counts(other, value)))) used.push_back(other.name);
+            throw CommandError(fmt::format("{}: {}={} does not use it; it uses {}", p.name, p.governor, value, listing(used, "and")));
         }
     }
 

@@ -69,6 +69,7 @@ Json parameter_json(const Operator& op, const Parameter& p)
             for (const std::string& other : set)
                 if (other != p.name) excludes.push_back(other);
     j["excludes"] = std::move(excludes);
+    if (!p.governor.empty()) j["only_where"] = {{"parameter", p.governor}, {"values", p.governing}};
     j["help"] = p.help;
     return j;
 }
@@ -92,6 +93,13 @@ Json operator_json(const Operator& op)
 }
 
 std::string dump(const Json& j) { return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+/// What a parameter is, with what it depends on: `height at the rim (to=polyp)`.
+std::string help_text(const Parameter& p)
+{
+    if (p.required) return p.help + " (required)";
+    return p.governor.empty() ? p.help : fmt::format("{} ({}={})", p.help, p.governor, listing(p.governing));
+}
 
 /// `a`, `b` and `c`, each as code.
 std::string code(std::vector<std::string> names)
@@ -164,7 +172,7 @@ std::string reference_text(const Operator& op)
     takes = std::min<std::size_t>(takes, 40);
     if (!op.parameters.empty()) text += "\n";
     for (const Parameter& p : op.parameters)
-        text += fmt::format("  {}  {}  {}{}\n", padded(with_default(p), width), padded(takes_text(p), takes), p.help, p.required ? " (required)" : "");
+        text += fmt::format("  {}  {}  {}\n", padded(with_default(p), width), padded(takes_text(p), takes), help_text(p));
     for (const auto& set : op.exclusive) text += fmt::format("  exactly one of {}\n", listing(set, "and"));
     for (const Preset& preset : op.presets) text += fmt::format("  preset={}: {}\n", preset.name, preset.arguments);
     return text + fmt::format("\nexample: {}\nsource:  {}\n", op.example, op.source);
@@ -188,7 +196,7 @@ std::string reference_markdown(const Operator& op)
     if (!op.parameters.empty()) {
         text += "| parameter | takes | meaning |\n|---|---|---|\n";
         for (const Parameter& p : op.parameters)
-            text += fmt::format("| `{}` | {} | {}{} |\n", cell(with_default(p)), cell(takes_text(p)), cell(p.help), p.required ? "; required" : "");
+            text += fmt::format("| `{}` | {} | {} |\n", cell(with_default(p)), cell(takes_text(p)), cell(help_text(p)));
         text += "\n";
     }
     for (const auto& set : op.exclusive) text += fmt::format("Exactly one of {} is given.\n\n", code(set));

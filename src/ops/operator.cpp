@@ -1,5 +1,7 @@
 #include "ops/operator.h"
 
+#include <algorithm>
+
 namespace druse {
 
 std::string Operator::title() const
@@ -16,6 +18,11 @@ const Parameter* Operator::find(std::string_view parameter) const
     for (const Parameter& p : parameters)
         if (p.name == parameter) return &p;
     return nullptr;
+}
+
+bool Operator::counts(const Parameter& p, std::string_view value)
+{
+    return p.governor.empty() || std::ranges::find(p.governing, value) != p.governing.end();
 }
 
 Registration::Registration(std::string_view name, std::string_view help, std::function<std::shared_ptr<void>()> make)

@@ -60,6 +60,8 @@ struct Operator {
     std::string family() const { return name.substr(0, name.find('.')); }
     std::string title() const; // `Truncated cube` for family.truncated_cube
     const Parameter* find(std::string_view parameter) const;
+    /// Whether a parameter counts, where the parameter that decides on that has this value.
+    static bool counts(const Parameter& p, std::string_view value);
 };
 
 /// What of a Definition does not depend on the type of its parameters.
@@ -125,6 +127,13 @@ public:
     {
         operator_.parameters.back().required = true;
         operator_.parameters.back().default_text.clear();
+        return *this;
+    }
+    /// The parameter added last counts only where another one, of words, has one of these values; with another value it must not be given.
+    Definition& only_where(std::string_view parameter, std::initializer_list<const char*> values)
+    {
+        operator_.parameters.back().governor = parameter;
+        operator_.parameters.back().governing.assign(values.begin(), values.end());
         return *this;
     }
     /// Exactly one of these parameters is given.

@@ -82,6 +82,8 @@ struct Parameter {
     std::string default_text; // empty: unset, or required
     bool required = false;
     bool optional = false;    // may stay unset
+    std::string governor{};   // counts only where this parameter, of words, has one of these; elsewhere it must not be given
+    std::vector<std::string> governing{};
 
     /// Reads a value into the parameters `p` of an operator. @throws CommandError `expected …`
     void set(void* p, std::string_view value) const { read(p, value, domain); }

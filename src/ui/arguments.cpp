@@ -27,13 +27,19 @@ void Arguments::set(std::string_view parameter, std::string_view text)
     given_[p->name] = std::string(text);
 }
 
+bool Arguments::counts(std::string_view parameter) const
+{
+    const Parameter* p = operator_->find(parameter);
+    return p && (p->governor.empty() || Operator::counts(*p, text(p->governor)));
+}
+
 std::string Arguments::command(const std::vector<std::pair<std::string, std::string>>& overrides) const
 {
     std::string line = operator_->name;
     for (const Parameter& p : operator_->parameters) {
         const auto over = std::find_if(overrides.begin(), overrides.end(), [&](const auto& o) { return o.first == p.name; });
         if (over != overrides.end()) line.append(" ").append(argument_text(p.name, over->second));
-        else if (const auto it = given_.find(p.name); it != given_.end()) line.append(" ").append(argument_text(p.name, it->second));
+        else if (const auto it = given_.find(p.name); it != given_.end() && counts(p.name)) line.append(" ").append(argument_text(p.name, it->second));
     }
     return line;
 }

@@ -25,6 +25,9 @@ public:
     void reset() { given_.clear(); }
     bool is_default(std::string_view parameter) const { return !given_.contains(parameter); }
 
+    /// Whether a parameter counts with what the others are now. One that does not stays set, and is left out of commands.
+    bool counts(std::string_view parameter) const;
+
     bool is_on(std::string_view toggle) const { return text(toggle) == "true"; }
 
     /// The command, with `overrides` in place of what was set or beside it.

@@ -103,6 +103,7 @@ void ParameterPanel::refresh()
 {
     const Operator* chosen = session_.chosen();
     std::vector<Control> controls = chosen ? controls_of(*chosen, session_.implied()) : std::vector<Control>();
+    std::erase_if(controls, [this](const Control& c) { return !session_.arguments().counts(c.parameter); });
     if (fit) std::ranges::for_each(controls, fit);
     const bool is_same = chosen == shown_;
     if (!is_same || !std::ranges::equal(controls, controls_, [](const Control& a, const Control& b) { return a.is_like(b); })) {

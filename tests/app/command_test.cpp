@@ -44,6 +44,12 @@ Registry some_operators()
               .param(&Everything::vertex, "vertex", Unit::count, {}, "where")
               .exactly_one({"shift", "vertex"})
               .run(nothing));
+    r.add(define<Everything>("test.governed", "Takes what its mood takes")
+              .param(&Everything::mood, "mood", words({"calm", "wild"}), "how")
+              .param(&Everything::count, "count", Unit::count, {1, 9}, "how many")
+              .param(&Everything::size, "size", Unit::length, above(0), "how large")
+              .only_where("mood", {"wild"})
+              .run(nothing));
     r.add(define<Everything>("test.required", "Takes a file").param(&Everything::file, "file", "from where").required().run(nothing));
     r.add(define<NoParameters>("test.nothing", "Takes nothing").run(nothing));
     return r;
@@ -167,6 +173,9 @@ TEST_F(Commands, HoldToWhatIsRequiredOnceOrExclusive)
     EXPECT_EQ(complaint("everything size=1 size=1"), "test.everything: size is given twice");
     EXPECT_EQ(complaint("one_of"), "test.one_of: expected exactly one of shift and vertex, found none");
     EXPECT_EQ(complaint("one_of shift=1 vertex=2"), "test.one_of: expected exactly one of shift and vertex, found shift and vertex");
+    EXPECT_EQ(complaint("governed count=2"), "no complaint: test.governed count=2");
+    EXPECT_EQ(complaint("governed size=1.5 mood=wild"), "no complaint: test.governed mood=wild size=1.5");
+    EXPECT_EQ(complaint("governed size=1.5"), "test.governed: size: mood=calm does not use it; it uses count");
     EXPECT_EQ(canonical("one_of shift=1"), "test.one_of shift=1");
 }
 
