@@ -44,3 +44,10 @@ draw strut_03_diamond --size 440x420 --view 22,18
 draw strut_04_double_diamond --size 420x400 --groups --view 22,18
 draw strut_05_triamond --size 480x460 --view 40,30
 draw strut_06_double_triamond --size 480x460 --groups --view 40,30
+for figure in strut_09_sand_dollar_a strut_09_sand_dollar_b strut_09_sand_dollar_c strut_09_sand_dollar_d; do draw "$figure" --size 440x420 --view 10,55; done
+draw strut_10_polyp --size 560x400 --view 20,35
+draw strut_11_spring --size 480x400 --view 20,25
+for figure in strut_11_helix strut_11_helix_7; do draw "$figure" --size 480x460 --view 20,15; done
+for figure in strut_12_swirl_5 strut_12_swirl_7; do draw "$figure" --size 480x420 --view 20,50; done
+draw strut_13_knotted_kelp --size 560x500 --view 30,60
+for figure in strut_15_icosa_lace strut_15_dodeca_lace; do draw "$figure" --size 420x400 --view 20,20; done

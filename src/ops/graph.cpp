@@ -44,7 +44,10 @@ void register_graph(Registry& registry)
 {
     registry.add(graph_wireframe_operator());
     registry.add(graph_lattice_operator());
+    registry.add(graph_tess_operator());
+    registry.add(graph_map_operator());
     registry.add(graph_struts_operator());
+    registry.add(graph_sculpture_operator());
 }
 
 } // namespace druse

@@ -15,11 +15,19 @@ GroupColours colours_of(const GroupTable& groups)
     return [&groups](int group) { return groups.colour(group); };
 }
 
+/// The graph that is shown: only while there is no mesh.
+const Graph* shown_graph(const Scene& scene) { return scene.mesh.face_count() == 0 ? std::get_if<Graph>(&*scene.source) : nullptr; }
+
+Counts shown_counts(const Scene& scene)
+{
+    const Graph* graph = shown_graph(scene);
+    return graph ? Counts{static_cast<std::uint32_t>(graph->vertices.size()), static_cast<std::uint32_t>(graph->edges.size()), 0} : scene.mesh.counts();
+}
+
 void build(DrawLists& lists, const Document& document)
 {
     const Scene& scene = document.scene();
-    const Graph* graph = std::get_if<Graph>(&*scene.source);
-    if (graph && scene.mesh.face_count() == 0) lists.build(*graph);
+    if (const Graph* graph = shown_graph(scene)) lists.build(*graph);
     else lists.build(scene.mesh, colours_of(*scene.groups));
 }
 
@@ -77,7 +85,7 @@ void DisplayChange::apply_to(Display& display, const Document& document)
             display.lists.recolour(scene.mesh, colours_of(*scene.groups));
         display.lists.select(scene.selection->faces);
     }
-    display.counts = scene.mesh.counts();
+    display.counts = shown_counts(scene);
     display.facts = std::move(facts_);
     display.groups = scene.groups;
     if (group_sizes_) display.group_sizes = std::move(*group_sizes_);

@@ -3,6 +3,7 @@
 #include "app/registry.h"
 #include "app/script.h"
 #include "dlfl/check.h"
+#include "dlfl/self_intersections.h"
 #include "support/mesh_checks.h"
 
 #include <gtest/gtest.h>
@@ -118,6 +119,21 @@ TEST(Gallery, StrutsHaveAsManyHandlesAsTheirGraphsHaveRings)
         document.open(fs::path(DRUSE_GALLERY) / (name + ".druse"), progress);
         EXPECT_EQ(facts(document.scene().mesh).component_genus.size(), 2u) << name;
         EXPECT_EQ(genus(document.scene().mesh), expected) << name;
+    }
+}
+
+TEST(Gallery, SculpturesHaveAsManyHandlesAsTheirGraphHasRingsAndMeetThemselvesNowhere)
+{
+    const std::map<std::string, std::int64_t> cycles{{"09_sand_dollar_a", 85}, {"09_sand_dollar_b", 112}, {"09_sand_dollar_c", 41}, {"09_sand_dollar_d", 41},
+                                                     {"10_polyp", 48},         {"11_spring", 234},        {"11_helix", 473},        {"11_helix_7", 193},
+                                                     {"12_swirl_5", 201},      {"12_swirl_7", 344},       {"13_knotted_kelp", 190}, {"15_icosa_lace", 295},
+                                                     {"15_dodeca_lace", 271}};
+    for (const auto& [name, rank] : cycles) {
+        Document document(all_operators());
+        Progress progress;
+        document.open(fs::path(DRUSE_GALLERY) / ("strut_" + name + ".druse"), progress);
+        EXPECT_EQ(facts(document.scene().mesh).component_genus, std::vector<std::int64_t>{rank}) << name;
+        EXPECT_EQ(self_intersections(document.scene().mesh, progress, 1).pairs, 0u) << name;
     }
 }
 

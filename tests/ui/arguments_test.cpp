@@ -36,6 +36,21 @@ TEST(Arguments, LeaveOutASwitchThatIsOffAndMayStayUnset)
     EXPECT_EQ(a.command(), "group.by");
 }
 
+TEST(Arguments, LeaveOutWhatDoesNotCountAndKeepIt)
+{
+    Arguments a(all_operators().get("graph.map"));
+    EXPECT_TRUE(a.counts("size"));
+    EXPECT_FALSE(a.counts("turns"));
+    a.set("to", "helix");
+    a.set("turns", "3");
+    EXPECT_TRUE(a.counts("turns"));
+    EXPECT_EQ(a.command(), "graph.map to=helix turns=3");
+    a.set("to", "torus");
+    EXPECT_EQ(a.command(), "graph.map to=torus");
+    a.set("to", "helix");
+    EXPECT_EQ(a.command(), "graph.map to=helix turns=3");
+}
+
 TEST(Arguments, QuoteWhatACommandMustQuote)
 {
     Arguments a(all_operators().get("document.open"));

@@ -562,6 +562,57 @@ def rinds(druse, folder, pictures):
         check(ours == theirs, f"the exported .{kind} is not the one that `druse apply` makes")
 
 
+def sculptures(druse, folder, pictures):
+    """A tessellation, its map and struts of it, each in its panel with sliders that run it again; the history gives the same again."""
+    window = Window(druse, folder, pictures, [])
+
+    def slide(operator, row, x):
+        window.click((x, row_middle(row)))
+        window.wait("adjusted " + operator)
+
+    window.move(BESIDE_THE_MESH)
+    empty = window.picture("0-empty")
+    window.choose("graph.tess")
+    window.click(APPLY)
+    window.wait("applied graph.tess")
+    window.wait("frame")
+    lines = window.picture("1-tessellation")
+    check(different_pixels(empty, lines) > 2000, "the lines of the graph should show")
+    slide("graph.tess", row_of(druse, "graph.tess", "layers"), SLIDER[0] + (SLIDER[1] - SLIDER[0]) // 6)  # 2 of 12
+    window.wait("frame")
+    check(different_pixels(lines, window.picture("2-fewer-layers")) > 1000, "the slider should run it again")
+
+    window.choose("graph.map")
+    window.click(((SLIDER[0] + SLIDER[1]) // 2, row_middle(0)))  # its choice is a menu
+    window.keys("Down", "Down", "Down", "Down", "Return")
+    window.wait("set to torus")
+    window.click(APPLY)
+    window.wait("applied graph.map")
+    window.wait("frame")
+    window.picture("3-torus")
+    slide("graph.map", 1, SLIDER[1] - 20)  # its size: rows that do not concern a torus are not there
+
+    window.choose("graph.struts")
+    window.click(APPLY)
+    window.wait("applied graph.struts faces=")
+    window.wait("frame")
+    window.picture("4-struts")
+    slide("graph.struts", row_of(druse, "graph.struts", "radius"), SLIDER[0] + 10)
+    window.picture("5-thinner")
+    window.keys("ctrl+shift+s")
+    window.answer_file_dialog("Save as", folder / "history.druse", "untitled.obj")
+    window.wait("saved " + str(folder / "history.druse"))
+    window.close()
+
+    script = (folder / "history.druse").read_text().splitlines()
+    names = [line.split()[0] for line in script]
+    check(names == ["graph.tess", "graph.map", "graph.struts"], f"a step for each panel: {script}")
+    check(script[0] == "graph.tess layers=2" and "to=torus" in script[1] and "size=" in script[1] and "radius=" in script[2], f"the sliders' values: {script}")
+    facts = json.loads(run(druse, "info", folder / "history.druse", "--json"))
+    # 5 times 112 vertices and 140 edges: the genus of the struts is that of the graph.
+    check(facts["genus"] == 5 * 28 + 1 and facts["watertight"] and facts["graph"]["cycle_rank"] == 141, f"the struts of a torus: {facts}")
+
+
 def replay(druse, folder, pictures):
     """A recording plays back to the same history."""
     window = Window(druse, folder, pictures, ["--record", folder / "recording.txt", folder / "colored_cube.obj"])
@@ -618,7 +669,7 @@ def main():
     scenario, druse, models, pictures = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4]) / sys.argv[1]
     shutil.rmtree(pictures, ignore_errors=True)
     pictures.mkdir(parents=True)
-    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, rinds, replay, sizes)}
+    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, rinds, sculptures, replay, sizes)}
     with tempfile.TemporaryDirectory() as folder:
         try:
             folder = pathlib.Path(folder).resolve()
