@@ -212,7 +212,7 @@ Operator graph_struts_operator()
 {
     using P = Struts;
     return define<P>("graph.struts", "Make a solid around the edges of a graph: struts, and balls that join them")
-        .param(&P::radius, "radius", Unit::none, above(0), "of the polygons around the edges, in what scale says")
+        .param(&P::radius, "radius", Unit::ratio, above(0), "of the polygons around the edges, in what scale says")
         .param(&P::scale, "scale", words({"length", "absolute"}), "radius in mean lengths of the edges at each vertex, so that struts taper, or in model units")
         .param(&P::sides, "sides", Unit::count, {3, 64}, "corners of the polygons")
         .param(&P::phase, "phase", Unit::degrees, {-360, 360}, "turns every polygon about its edge")
