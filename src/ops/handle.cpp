@@ -4,6 +4,7 @@
 #include "dlfl/errors.h"
 #include "dlfl/patch.h"
 #include "geom/angle.h"
+#include "ops/group.h"
 #include "ops/text.h"
 
 #include <fmt/format.h>
@@ -260,7 +261,8 @@ void run_handle(Scene& scene, const HandleParameters& p, Context& context)
         for (const int k : tight) numbers.push_back(std::to_string(k));
         context.note(fmt::format("the handle bends more tightly than it is wide at station{} {}", tight.size() == 1 ? "" : "s", listing(numbers, "and")));
     }
-    select_walls(scene, create_handle(scene.mesh, faces, path, rungs));
+    const int group = first_new_group(scene.mesh, 1);
+    select_walls(scene, create_handle(scene.mesh, faces, path, rungs), group);
 }
 
 } // namespace

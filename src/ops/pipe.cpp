@@ -157,9 +157,8 @@ void require_apart(const Mesh& mesh, Face from, Face to)
     if (const Vertex v = shared(mesh, from, to); v.valid()) throw CommandError(fmt::format("faces {} and {} share vertex {}", from.index, to.index, v.index));
 }
 
-void select_walls(Scene& scene, std::vector<Face> walls)
+void select_walls(Scene& scene, std::vector<Face> walls, int group)
 {
-    const int group = first_new_group(scene.mesh, 1);
     for (const Face f : walls) scene.mesh.set_group(f, group);
     sort_faces(walls, scene.mesh);
     scene.selection = Selection{std::move(walls), {}, {}};
@@ -258,19 +257,20 @@ void run_pipe(Scene& scene, const PipeParameters& p, Context& context)
     const PipeFaces faces(scene.mesh, p);
     require_apart(scene.mesh, faces.from, faces.to);
     const std::vector<Rung> rungs = pair_corners(faces.from_points, faces.to_points, faces.pairing, context.progress);
+    const int group = first_new_group(scene.mesh, 1);
     if (p.segments > 1) {
         HandleShape straight;
         straight.segments = p.segments;
         straight.curve = HandleCurve::line;
         const HandlePath path(faces, straight);
-        select_walls(scene, create_handle(scene.mesh, faces, path, rungs));
+        select_walls(scene, create_handle(scene.mesh, faces, path, rungs), group);
         return;
     }
     Mesh& mesh = scene.mesh;
     faces.split(mesh);
     std::vector<Face> walls;
     PipeMaker(mesh).create(mesh.corner(faces.from), mesh.corner(faces.to), rungs, walls);
-    select_walls(scene, std::move(walls));
+    select_walls(scene, std::move(walls), group);
 }
 
 } // namespace

@@ -41,8 +41,8 @@ private:
 void require_pipe_end(const Mesh& mesh, Face f);                        // three corners or more, no vertex twice
 void require_apart(const Mesh& mesh, Face from, Face to);               // different faces without a common vertex
 
-/// New side walls become all that is selected, and one new group.
-void select_walls(Scene& scene, std::vector<Face> walls);
+/// New side walls become all that is selected, and one group: first_new_group() from before the faces went that they take the place of.
+void select_walls(Scene& scene, std::vector<Face> walls, int group);
 
 // --- as commands say it -------------------------------------------------------------------------------------------------------
 

@@ -1,5 +1,6 @@
 // rind.punch and rind.peel: openings in a crust.
 #include "dlfl/errors.h"
+#include "ops/group.h"
 #include "ops/pipe.h"
 #include "ops/rind.h"
 #include "ops/rind_reassembly.h"
@@ -214,6 +215,7 @@ std::vector<CornerPair> live_pairs(const Scene& scene, const FaceSelector& selec
 
 void run_punch(Scene& scene, const Punch& p, Context& context)
 {
+    const int group = first_new_group(scene.mesh, 1);
     Opener opener(scene.mesh);
     std::vector<Face> walls;
     const std::vector<CornerPair> pairs = live_pairs(scene, p.faces, context);
@@ -222,12 +224,13 @@ void run_punch(Scene& scene, const Punch& p, Context& context)
         scene.rind.remove(scene.mesh.face(pairs[i][0]));
         opener.punch(pairs[i], walls);
     }
-    select_walls(scene, std::move(walls));
+    select_walls(scene, std::move(walls), group);
 }
 
 void run_peel(Scene& scene, const Peel& p, Context& context)
 {
     Mesh& mesh = scene.mesh;
+    const int group = first_new_group(mesh, 1);
     Opener opener(mesh);
     std::vector<Face> walls, faces;
     std::vector<std::array<Vertex, 2>> corners; // of all faces that are peeled, each with the one below
@@ -249,7 +252,7 @@ void run_peel(Scene& scene, const Peel& p, Context& context)
 
     // Walls of one face may go again with the next one, or change their ids.
     std::erase_if(walls, [&mesh](Face f) { return !mesh.is_alive(f); });
-    select_walls(scene, std::move(walls));
+    select_walls(scene, std::move(walls), group);
 
     std::ranges::sort(corners);
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
