@@ -7,7 +7,6 @@
 #include "render/png.h"
 #include "render/still.h"
 
-#include <utility>
 #include <variant>
 
 namespace druse {
@@ -21,8 +20,8 @@ Image picture_of(const Scene& scene, const RenderRequest& request, Progress& pro
     if (scene.mesh.face_count() == 0 && graph) return draw_still(*graph, request.options);
     if (!request.smooth) return draw_still(scene.mesh, colours, request.options);
     try {
-        SmoothSurface surface = smooth_surface(scene.mesh, progress);
-        return draw_still(surface.mesh, Division(scene.mesh, std::move(surface.old_face)), colours, request.options);
+        const SmoothSurface surface(scene.mesh, progress);
+        return draw_still(surface.mesh(), Division(scene.mesh, surface.old_face(), surface.normals()), colours, request.options);
     } catch (const CommandError& e) {
         throw CommandError(std::string("render: --smooth: ") + e.what());
     }

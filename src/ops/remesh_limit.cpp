@@ -10,7 +10,9 @@
 #include <opensubdiv/far/topologyRefinerFactory.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace druse {
@@ -106,13 +108,6 @@ namespace {
 using namespace OpenSubdiv;
 using namespace remesh;
 
-/// A point as OpenSubdiv adds points up.
-struct Sum {
-    Point point{0.0};
-    void Clear(void* = nullptr) { point = Point(0.0); }
-    void AddWithWeight(const Sum& other, double weight) { point += weight * other.point; }
-};
-
 std::unique_ptr<Far::TopologyRefiner> refiner_of(OldMesh& old, const LimitSurface& surface)
 {
     constexpr std::uint32_t most = 65535; // OpenSubdiv counts with 16 bits around a face and a vertex
@@ -179,37 +174,100 @@ Mesh divided_once(const Mesh& mesh, const LimitSurface& surface, Progress& progr
                                                : remeshed(mesh, CatmullClark{false}, 1, surface.groups, progress);
 }
 
+/// The mean of the normals of the faces around a vertex, weighted by their angles there.
+Vector mean_normal(const Mesh& mesh, Vertex v)
+{
+    Vector sum(0.0);
+    for (const Corner c : mesh.around(v)) {
+        const Vector out = direction(mesh.position(mesh.next(c)) - mesh.position(c)), in = direction(mesh.position(mesh.previous(c)) - mesh.position(c));
+        sum += std::acos(std::clamp(glm::dot(out, in), -1.0, 1.0)) * unit(glm::cross(out, in));
+    }
+    return unit(sum);
+}
+
 } // namespace
 
-Mesh limit_surface(const Mesh& mesh, const LimitSurface& surface, Progress& progress)
+struct LimitRefinement::Refined {
+    /// A point as OpenSubdiv adds points up.
+    struct Sum {
+        Point point{0.0};
+        void Clear(void* = nullptr) { point = Point(0.0); }
+        void AddWithWeight(const Sum& other, double weight) { point += weight * other.point; }
+    };
+    std::unique_ptr<Far::TopologyRefiner> refiner;
+    bool to_limit;
+    std::vector<int> vertex; // of the finest level, as OpenSubdiv numbers it, by ours
+    std::vector<Sum> points, finer, tangents[2];
+};
+
+LimitRefinement::LimitRefinement(LimitRefinement&&) noexcept = default;
+LimitRefinement& LimitRefinement::operator=(LimitRefinement&&) noexcept = default;
+LimitRefinement::~LimitRefinement() = default;
+
+LimitRefinement::LimitRefinement(const Mesh& mesh, const LimitSurface& surface, Progress& progress) : mesh_(mesh)
 {
     refuse_too_large(mesh.edge_count(), 4, surface.level);
     OldMesh old(mesh, 2);
-    if (old.vertices() == 0) return mesh; // OpenSubdiv refines no such thing
-    const auto refiner = refiner_of(old, surface);
-
-    const Far::PrimvarRefinerReal<double> interpolation(*refiner);
-    std::vector<Sum> points, finer;
-    for (const Point& p : mesh.positions()) points.push_back({p});
-    Mesh result = mesh;
+    if (old.vertices() == 0) return; // OpenSubdiv refines no such thing
+    refined_ = std::make_unique<Refined>();
+    refined_->refiner = refiner_of(old, surface);
+    refined_->to_limit = surface.to_limit;
     Correspondence correspondence(mesh);
     for (int i = 0; i < surface.level; ++i) {
-        const Far::TopologyLevel &level = refiner->GetLevel(i), &next = refiner->GetLevel(i + 1);
-        finer.assign(std::size_t(next.GetNumVertices()), Sum());
-        interpolation.Interpolate(i + 1, points, finer);
-        std::swap(points, finer);
-        Mesh divided = divided_once(result, surface, progress);
-        correspondence.descend(level, result, next, divided, surface.scheme);
-        result = std::move(divided);
+        Mesh divided = divided_once(mesh_, surface, progress);
+        correspondence.descend(refined_->refiner->GetLevel(i), mesh_, refined_->refiner->GetLevel(i + 1), divided, surface.scheme);
+        mesh_ = std::move(divided);
     }
-    if (surface.to_limit) {
-        finer.assign(points.size(), Sum());
+    refined_->vertex = std::move(correspondence.vertex);
+}
+
+void LimitRefinement::place(std::span<const Point> old) { find_places(old, false); }
+void LimitRefinement::place_with_normals(std::span<const Point> old) { find_places(old, true); }
+
+void LimitRefinement::find_places(std::span<const Point> old, bool with_normals)
+{
+    if (!refined_) return;
+    auto& [refiner, to_limit, vertex, points, finer, tangents] = *refined_;
+    ASSERT(old.size() == std::size_t(refiner->GetLevel(0).GetNumVertices()), "the vertices of the mesh that was refined");
+    ASSERT(to_limit || !with_normals, "normals of the limit surface only");
+    const Far::PrimvarRefinerReal<double> interpolation(*refiner);
+    points.clear();
+    for (const Point& p : old) points.push_back({p});
+    for (int i = 1; i < refiner->GetNumLevels(); ++i) {
+        finer.resize(std::size_t(refiner->GetLevel(i).GetNumVertices())); // every one is cleared before it is added to
+        interpolation.Interpolate(i, points, finer);
+        std::swap(points, finer);
+    }
+    if (with_normals) {
+        for (std::vector<Refined::Sum>* sums : {&finer, &tangents[0], &tangents[1]}) sums->resize(points.size());
+        interpolation.Limit(points, finer, tangents[0], tangents[1]);
+        std::swap(points, finer);
+    } else if (to_limit) {
+        finer.resize(points.size());
         interpolation.Limit(points, finer);
         std::swap(points, finer);
     }
-    const std::span<Point> to = result.write_positions();
-    for (std::size_t v = 0; v < to.size(); ++v) to[v] = points[std::size_t(correspondence.vertex[v])].point;
-    return result;
+    const std::span<Point> to = mesh_.write_positions();
+    for (std::size_t v = 0; v < to.size(); ++v) to[v] = points[std::size_t(vertex[v])].point;
+    if (!with_normals) return;
+
+    const Far::TopologyLevel& finest = refiner->GetLevel(refiner->GetMaxLevel());
+    normals_.resize(to.size());
+    for (std::size_t v = 0; v < to.size(); ++v) {
+        const auto there = std::size_t(vertex[v]);
+        const Sdc::Crease::Rule rule = finest.GetVertexRule(vertex[v]);
+        const bool smooth = rule == Sdc::Crease::RULE_SMOOTH || rule == Sdc::Crease::RULE_DART;
+        const Vector normal = glm::cross(direction(tangents[0][there].point), direction(tangents[1][there].point));
+        constexpr double parallel = 1e-9;
+        normals_[v] = smooth && glm::dot(normal, normal) > parallel * parallel ? unit(normal) : mean_normal(mesh_, Vertex(std::uint32_t(v)));
+    }
+}
+
+Mesh limit_surface(const Mesh& mesh, const LimitSurface& surface, Progress& progress)
+{
+    LimitRefinement refinement(mesh, surface, progress);
+    refinement.place(mesh.positions());
+    return std::move(refinement).take();
 }
 
 namespace {

@@ -4,6 +4,9 @@
 #include "geom/progress.h"
 #include "ops/remesh.h"
 
+#include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace druse {
@@ -27,5 +30,37 @@ struct LimitSurface {
 /// more edges
 /// Source: Catmull & Clark 1978; Loop 1987; DeRose, Kass & Truong, *Subdivision surfaces in character animation* (1998), for the creases.
 Mesh limit_surface(const Mesh& mesh, const LimitSurface& surface, Progress& progress);
+
+/// The same for one mesh whose vertices move: what does not depend on where they are is made once.
+class LimitRefinement {
+public:
+    /// Reads all of the old mesh but its positions. @throws as limit_surface()
+    LimitRefinement(const Mesh& mesh, const LimitSurface& surface, Progress& progress);
+    LimitRefinement(LimitRefinement&&) noexcept;
+    LimitRefinement& operator=(LimitRefinement&&) noexcept;
+    ~LimitRefinement();
+
+    /// Where the new vertices are if the old ones are here, exactly as limit_surface() has them. Cost: linear in the new ones; nothing is searched.
+    void place(std::span<const Point> old);
+    /// The same with normals. Precondition: the surface goes to the limit.
+    void place_with_normals(std::span<const Point> old);
+
+    /// The subdivided mesh. Its points are those of the last call of either function; before that they are anywhere.
+    const Mesh& mesh() const { return mesh_; }
+    Mesh take() && { return std::move(mesh_); }
+    /// The normals of the limit surface at the vertices of mesh(), of length 1: outward, square to both limit tangents.
+    ///
+    /// At a crease, which has a tangent plane on each side, and where the tangents are parallel, it is the mean of the faces around the
+    /// vertex, weighted by their angles there; zero if they have no area.
+    const std::vector<Vector>& normals() const { return normals_; }
+
+private:
+    struct Refined;
+    void find_places(std::span<const Point> old, bool with_normals);
+
+    std::unique_ptr<Refined> refined_; // null: there is nothing to refine
+    Mesh mesh_;
+    std::vector<Vector> normals_;
+};
 
 } // namespace druse

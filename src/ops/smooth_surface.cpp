@@ -1,13 +1,13 @@
 #include "ops/smooth_surface.h"
 
 #include "dlfl/errors.h"
+#include "dlfl/mesh_tables.h"
 #include "ops/remesh_limit.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 namespace druse {
 
@@ -24,27 +24,52 @@ int level_for(std::size_t edges)
     return level;
 }
 
+/// Two closed meshes without holes.
+bool differ_in_positions_only(const Mesh& a, const Mesh& b)
+{
+    const MeshTables::View x = MeshTables::view(a), y = MeshTables::view(b);
+    return a.boundary_count() == 0 && b.boundary_count() == 0 && a.vertex_limit() == b.vertex_limit() && std::ranges::equal(x.vertex, y.vertex) &&
+           std::ranges::equal(x.next, y.next) && std::ranges::equal(x.edge_corners, y.edge_corners) && std::ranges::equal(x.start, y.start) &&
+           std::ranges::equal(a.groups(), b.groups());
+}
+
 } // namespace
 
-SmoothSurface smooth_surface(const Mesh& mesh, Progress& progress, std::size_t most_faces)
+SmoothSurface::SmoothSurface(std::size_t most_faces) : most_faces_(most_faces) {}
+SmoothSurface::SmoothSurface(const Mesh& mesh, Progress& progress, std::size_t most_faces) : most_faces_(most_faces) { follow(mesh, progress); }
+SmoothSurface::~SmoothSurface() = default;
+
+const Mesh& SmoothSurface::mesh() const { return own_faces_ ? old_ : refinement_->mesh(); }
+const std::vector<Vector>& SmoothSurface::normals() const { return refinement_->normals(); }
+
+void SmoothSurface::follow(const Mesh& mesh, Progress& progress)
 {
+    if (!refinement_ || !differ_in_positions_only(old_, mesh)) prepare(mesh, progress);
+    refinement_->place_with_normals(mesh.positions());
+    // What becomes of the old vertices comes first among the new ones.
+    if (own_faces_) std::ranges::copy(refinement_->mesh().positions().first(old_.vertex_limit()), old_.write_positions().begin());
+}
+
+void SmoothSurface::prepare(const Mesh& mesh, Progress& progress)
+{
+    refinement_.reset();
     if (mesh.edge_count() > most_edges) throw CommandError(fmt::format("the model has {} edges, more than {}", mesh.edge_count(), most_edges));
     const int level = level_for(mesh.edge_count());
-    SmoothSurface result{limit_surface(mesh, {.level = level}, progress), {}};
-    if (result.mesh.face_count() > most_faces) {
-        Mesh moved = mesh;
-        // What becomes of the old vertices comes first among the new ones.
-        std::ranges::copy(result.mesh.positions().first(mesh.vertex_limit()), moved.write_positions().begin());
-        result.mesh = std::move(moved);
-        result.old_face.resize(mesh.face_limit());
-        std::iota(result.old_face.begin(), result.old_face.end(), 0u);
-        return result;
+    old_ = mesh;
+    auto refinement = std::make_unique<LimitRefinement>(mesh, LimitSurface{.level = level}, progress);
+    const std::size_t faces = refinement->mesh().face_count();
+    own_faces_ = faces > most_faces_;
+    if (own_faces_) {
+        old_face_.resize(mesh.face_limit());
+        std::iota(old_face_.begin(), old_face_.end(), 0u);
+    } else {
+        // A quad for each corner of a face, and four for each of these at every further level.
+        old_face_.clear();
+        old_face_.reserve(faces);
+        for (const Face f : mesh.faces()) old_face_.insert(old_face_.end(), std::size_t(mesh.valence(f)) << 2 * (level - 1), f.index);
+        ASSERT(old_face_.size() == faces, "faces divide as the scheme says");
     }
-    // A quad for each corner of a face, and four for each of these at every further level.
-    result.old_face.reserve(result.mesh.face_count());
-    for (const Face f : mesh.faces()) result.old_face.insert(result.old_face.end(), std::size_t(mesh.valence(f)) << 2 * (level - 1), f.index);
-    ASSERT(result.old_face.size() == result.mesh.face_count(), "faces divide as the scheme says");
-    return result;
+    refinement_ = std::move(refinement);
 }
 
 } // namespace druse

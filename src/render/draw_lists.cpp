@@ -39,7 +39,8 @@ std::uint32_t pack_normal(const Vector& n)
     return field(n.x) | field(n.y) << 10 | field(n.z) << 20;
 }
 
-Division::Division(const Mesh& old, std::vector<std::uint32_t> faces) : old_face(std::move(faces)), old_bounds(bounds(old))
+Division::Division(const Mesh& old, std::vector<std::uint32_t> faces, std::span<const Vector> vertex_normals)
+    : old_face(std::move(faces)), normals(vertex_normals), old_bounds(bounds(old))
 {
     for (const Edge e : old.edges()) old_mean_edge += length(old, e);
     if (old.edge_count() > 0) old_mean_edge /= old.edge_count();
@@ -86,6 +87,7 @@ void DrawLists::build(const Mesh& mesh, const GroupColours& colours, const Divis
     build(mesh, colours, &division);
     is_divided_ = true;
     mean_edge_ = division.old_mean_edge;
+    if (!division.normals.empty()) take_normals(division.normals);
     if (division.old_bounds.empty()) return;
     reach_.add(division.old_bounds.min);
     reach_.add(division.old_bounds.max);
@@ -364,11 +366,17 @@ const std::vector<std::uint32_t>& DrawLists::smooth_normals() const
         for (std::size_t k = 0; k < 3; ++k)
             sum[vertex_of_[triangles_[t][k]]] += std::acos(std::clamp(-glm::dot(side[k], side[(k + 2) % 3]), -1.0, 1.0)) * normal;
     }
+    for (Vector& n : sum) n = unit(n);
+    take_normals(sum);
+    return smooth_normals_;
+}
+
+void DrawLists::take_normals(std::span<const Vector> normals) const
+{
     smooth_normals_.assign(draw_vertices_.size(), 0);
     for (std::uint32_t i = 0; i < smooth_normals_.size(); ++i)
-        if (vertex_of_[i] < sum.size()) smooth_normals_[i] = pack_normal(unit(sum[vertex_of_[i]]));
+        if (vertex_of_[i] < normals.size()) smooth_normals_[i] = pack_normal(normals[vertex_of_[i]]);
     smooth_version_ = shape_version_;
-    return smooth_normals_;
 }
 
 } // namespace druse

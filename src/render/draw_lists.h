@@ -33,9 +33,10 @@ class Palette;
 
 /// Where the faces of a mesh come from that was made of another by dividing its faces, to show that one smooth.
 struct Division {
-    Division(const Mesh& old, std::vector<std::uint32_t> faces);
+    Division(const Mesh& old, std::vector<std::uint32_t> faces, std::span<const Vector> normals = {});
 
     std::vector<std::uint32_t> old_face; // by face
+    std::span<const Vector> normals;     // by vertex, of length 1, for smooth shading; borrowed. None: they come from the triangles
     Box old_bounds;                      // the outlines of old faces may go over the picture
     double old_mean_edge = 0;            // their mean length, by which edges fade
 };
@@ -70,7 +71,7 @@ public:
 
     /// Takes everything anew; the selection is dropped. Cost: linear; 1 M triangles take about as long as one frame in software.
     void build(const Mesh& mesh, const GroupColours& colours);
-    /// The same of a divided mesh: shading is always smooth, and sides and edges() are only those between parts of different old
+    /// The same of a divided mesh: shading is always smooth, by the normals of the division if it has any, and sides and edges() are only those between parts of different old
     /// faces. Such lists cannot be updated.
     void build(const Mesh& mesh, const GroupColours& colours, const Division& division);
     /// Lines only, for a graph without faces.
@@ -126,8 +127,8 @@ public:
     /// One box per block of 64 triangles; picking passes over blocks whose box the ray misses.
     std::span<const Box> pick_boxes() const { return pick_boxes_; }
 
-    /// Normals for smooth shading, packed like DrawVertex::normal, one per draw vertex: the mean of the triangles around a
-    /// vertex, weighted by their angle there. Cost: linear, the first time since the shape changed; not from two threads at once.
+    /// Normals for smooth shading, packed like DrawVertex::normal, one per draw vertex: those of a division, or else the mean of the
+    /// triangles around a vertex, weighted by their angle there. Cost: linear, the first time since the shape changed; not from two threads at once.
     const std::vector<std::uint32_t>& smooth_normals() const;
 
     // --- following them ---------------------------------------------------------------------------------------------------
@@ -156,6 +157,7 @@ private:
     void resize(const Mesh& mesh);
     void take_boundary(const Mesh& mesh);
     double length(Edge e) const; // 0 if it is gone
+    void take_normals(std::span<const Vector> normals) const; // by mesh vertex, of length 1
     void paint(Face f, Palette& palette);
     void renew_box(std::uint32_t block);
     void renew_bounds();

@@ -37,6 +37,7 @@ void SmoothPreview::set_on(bool on)
         follow();
     } else {
         if (is_computing()) worker_.cancel();
+        surface_.reset();
         drop({});
         shown_ = 0;
     }
@@ -78,9 +79,10 @@ void SmoothPreview::compute()
     const Display& display = session_.display();
     computing_ = display.lists.shape_version();
     computed_beginning_ = display.beginning;
-    worker_.start([this, mesh = std::make_shared<const Mesh>(*mesh), groups = display.groups](Progress& progress) {
+    if (!surface_) surface_ = std::make_shared<SmoothSurface>();
+    worker_.start([this, surface = surface_, mesh = std::make_shared<const Mesh>(*mesh), groups = display.groups](Progress& progress) {
         try {
-            result_ = smooth(*mesh, *groups, progress);
+            result_ = smooth(*surface, *mesh, *groups, progress);
         } catch (const Cancelled&) {
             result_ = {};
         } catch (const std::bad_alloc&) {
@@ -94,18 +96,16 @@ void SmoothPreview::compute()
 }
 
 /// Runs on the worker.
-SmoothPreview::Result SmoothPreview::smooth(const Mesh& mesh, const GroupTable& groups, Progress& progress)
+SmoothPreview::Result SmoothPreview::smooth(SmoothSurface& surface, const Mesh& mesh, const GroupTable& groups, Progress& progress)
 {
-    SmoothSurface surface = smooth_surface(mesh, progress);
+    surface.follow(mesh, progress);
     Result result;
     result.first_part.assign(std::size_t(mesh.face_limit()) + 1, 0);
-    for (const std::uint32_t f : surface.old_face) ++result.first_part[f + 1];
+    for (const std::uint32_t f : surface.old_face()) ++result.first_part[f + 1];
     for (std::size_t f = 0; f < mesh.face_limit(); ++f) result.first_part[f + 1] += result.first_part[f];
     progress.step(1.0);
     result.lists.emplace();
-    result.lists->build(surface.mesh, colours_of(groups), Division(mesh, std::move(surface.old_face)));
-    progress.step(1.0);
-    result.lists->smooth_normals(); // here, where nobody waits
+    result.lists->build(surface.mesh(), colours_of(groups), Division(mesh, surface.old_face(), surface.normals()));
     return result;
 }
 

@@ -6,14 +6,19 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+namespace druse {
+class SmoothSurface;
+}
+
 namespace druse::ui {
 
-/// Shows the mesh of a session smooth, without changing it: smooth_surface() of it, made on a worker from a copy.
+/// Shows the mesh of a session smooth, without changing it: its SmoothSurface, made on a worker from a copy.
 ///
 /// It follows every edit. What takes longer than `patience` is shown when it is there; until then the surface of an earlier state
 /// stays. Where only colours, groups or the selection change, the surface takes them over at once.
@@ -55,7 +60,7 @@ private:
     };
 
     void compute();
-    static Result smooth(const Mesh& mesh, const GroupTable& groups, Progress& progress);
+    static Result smooth(SmoothSurface& surface, const Mesh& mesh, const GroupTable& groups, Progress& progress);
     void take_over();
     void take_look();
     void drop(std::string reason);
@@ -77,6 +82,7 @@ private:
     std::string computed_beginning_;
 
     Result result_;
+    std::shared_ptr<SmoothSurface> surface_; // the worker's while it is busy
     Worker worker_; // last: it is done before anything it works on goes
 };
 

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -127,6 +129,25 @@ TEST(DrawLists, ShowOnlyTheSidesBetweenPartsOfDifferentFaces)
         EXPECT_TRUE(found);
     }
     EXPECT_FALSE(DrawLists(mesh, by_group).is_divided());
+}
+
+TEST(DrawLists, AreShadedByTheNormalsOfADivision)
+{
+    const Mesh mesh = torus(8, 6);
+    std::vector<std::uint32_t> own(mesh.face_count());
+    std::iota(own.begin(), own.end(), 0u);
+    std::vector<Vector> normals;
+    for (const Vertex v : mesh.vertices()) normals.push_back(unit(Vector(std::cos(v.index), std::sin(v.index), 0.5)));
+    DrawLists lists;
+    lists.build(mesh, by_group, Division(mesh, own, normals));
+    const auto expect_normals = [&] {
+        ASSERT_EQ(lists.smooth_normals().size(), lists.draw_vertices().size());
+        for (std::uint32_t i = 0; i < lists.draw_vertices().size(); ++i) EXPECT_EQ(lists.smooth_normals()[i], pack_normal(normals[lists.vertex_of(i)]));
+    };
+    expect_normals();
+    lists.select(std::vector<Face>{Face(3)});
+    lists.recolour(mesh, by_group);
+    expect_normals();
 }
 
 TEST(DrawLists, KnowTheirShapeFromTheirLooks)

@@ -85,6 +85,17 @@ TEST_F(SmoothCube, FollowsEdits)
     EXPECT_FALSE(view.shown().is_divided());
 }
 
+TEST_F(SmoothCube, LooksTheSameWhereItFollowedAVertexThatMoved)
+{
+    edit("mesh.transform vertices=0 move=0.1,0.2,-0.1");
+    edit("mesh.transform vertices=6 scale=1.2");
+    Progress progress;
+    const SmoothSurface surface(*session.mesh(), progress);
+    EXPECT_TRUE(std::ranges::equal(view.shown().positions(), surface.mesh().positions()));
+    for (std::uint32_t i = 0; i < view.shown().draw_vertices().size(); ++i)
+        ASSERT_EQ(view.shown().smooth_normals()[i], pack_normal(surface.normals()[view.shown().vertex_of(i)]));
+}
+
 TEST_F(SmoothCube, SaysInALineWhyAnOpenModelHasNone)
 {
     const Folder folder;
@@ -137,10 +148,10 @@ TEST_F(SmoothCube, LooksAsItDoesInATerminalAndGoesWithoutATrace)
     view.look({30, 25});
     const Image shown = picture();
     Progress progress;
-    SmoothSurface surface = smooth_surface(*session.mesh(), progress);
+    const SmoothSurface surface(*session.mesh(), progress);
     DrawLists lists;
     const GroupColours colours = [&](int group) { return session.display().groups->colour(group); };
-    lists.build(surface.mesh, colours, Division(*session.mesh(), surface.old_face));
+    lists.build(surface.mesh(), colours, Division(*session.mesh(), surface.old_face(), surface.normals()));
     EXPECT_TRUE(fresh_picture(lists, view.camera(), {}, view.overlay()) == shown);
 
     view.smooth().set_on(false);
