@@ -1,12 +1,20 @@
 // Remeshing whole meshes, own mesh in to own mesh out, from 10 thousand to 4 million new faces. Beside it OpenSubdiv as it is fastest (refiner
 // from polygons, one uniform level without what interpolation does not need, positions), in floats; and `floor`, which writes as many bytes as
 // the result has into fresh memory. `Time` is what passed, `CPU` the processor time of all threads.
+//
+// `again` makes positions alone, of a run that was kept; beside it OpenSubdiv's tables of stencils, in floats and in doubles like ours. The
+// smooth preview is made `anew`, or follows a mesh of so many faces whose vertices `moved`; beside it the stencils of the same level, which give
+// positions only, and not of the limit.
 #include "dlfl/storage.h"
 #include "ops/registry.h"
+#include "ops/remesh_again.h"
+#include "ops/smooth_surface.h"
 #include "torus.h"
 
 #include <benchmark/benchmark.h>
 #include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/stencilTable.h>
+#include <opensubdiv/far/stencilTableFactory.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 #include <opensubdiv/far/topologyRefinerFactory.h>
 
@@ -74,43 +82,108 @@ void write_floor(benchmark::State& state, const Operator& op, bool triangles, do
     state.counters["MB"] = double(bytes) / 1e6;
 }
 
-struct FloatPoint {
-    float p[3];
+void remesh_again(benchmark::State& state, const Operator& op, bool triangles, double growth)
+{
+    const Mesh input = torus(std::int64_t(double(state.range(0)) / growth), triangles);
+    const auto parameters = op.make();
+    Progress progress;
+    const auto kept = keep_run(op)(input, parameters.get(), parameters.get(), progress);
+    Column<Point> points;
+    const std::uint32_t count = remeshed(op, input).vertex_limit();
+    const std::span<Point> to(points.extend(count), count);
+    for (auto _ : state) {
+        kept->place(parameters.get(), to, progress);
+        benchmark::ClobberMemory();
+    }
+}
+
+void smooth_anew(benchmark::State& state)
+{
+    const Mesh input = torus(state.range(0));
+    Progress progress;
+    for (auto _ : state) benchmark::DoNotOptimize(SmoothSurface(input, progress).mesh().positions().data());
+}
+
+void smooth_moved(benchmark::State& state)
+{
+    const Mesh input = torus(state.range(0));
+    Progress progress;
+    SmoothSurface surface(input, progress);
+    for (auto _ : state) surface.follow(input, progress);
+    state.counters["faces"] = double(surface.mesh().face_count());
+}
+
+template <class Real>
+struct SumOf {
+    Real p[3];
     void Clear(void* = nullptr) { p[0] = p[1] = p[2] = 0; }
-    void AddWithWeight(const FloatPoint& other, float weight)
+    void AddWithWeight(const SumOf& other, Real weight)
     {
         for (int i = 0; i < 3; ++i) p[i] += weight * other.p[i];
+    }
+};
+
+/// A mesh as OpenSubdiv takes it.
+template <class Real>
+struct Polygons {
+    std::vector<int> sides, corners;
+    std::vector<SumOf<Real>> points;
+    OpenSubdiv::Sdc::SchemeType scheme;
+
+    Polygons(const Mesh& mesh, bool loop) : scheme(loop ? OpenSubdiv::Sdc::SCHEME_LOOP : OpenSubdiv::Sdc::SCHEME_CATMARK)
+    {
+        for (const Face f : mesh.faces()) {
+            sides.push_back(mesh.valence(f));
+            for (const Corner c : mesh.corners(f)) corners.push_back(int(mesh.vertex(c).index));
+        }
+        for (const Point& p : mesh.positions()) points.push_back({{Real(p.x), Real(p.y), Real(p.z)}});
+    }
+
+    std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> refined(int level) const
+    {
+        using namespace OpenSubdiv;
+        Far::TopologyDescriptor polygons;
+        polygons.numVertices = int(points.size());
+        polygons.numFaces = int(sides.size());
+        polygons.numVertsPerFace = sides.data();
+        polygons.vertIndicesPerFace = corners.data();
+        using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+        std::unique_ptr<Far::TopologyRefiner> refiner(Factory::Create(polygons, Factory::Options(scheme)));
+        refiner->RefineUniform(Far::TopologyRefiner::UniformOptions(level));
+        return refiner;
     }
 };
 
 void open_subdiv(benchmark::State& state, bool loop)
 {
     using namespace OpenSubdiv;
-    const Mesh input = torus(state.range(0) / 4, loop);
-    std::vector<int> sides, corners;
-    for (const Face f : input.faces()) {
-        sides.push_back(input.valence(f));
-        for (const Corner c : input.corners(f)) corners.push_back(int(input.vertex(c).index));
-    }
-    std::vector<FloatPoint> base;
-    for (const Point& p : input.positions()) base.push_back({{float(p.x), float(p.y), float(p.z)}});
-    using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+    const Polygons<float> input(torus(state.range(0) / 4, loop), loop);
     std::unique_ptr<Far::TopologyRefiner> refiner;
-    std::vector<FloatPoint> points;
+    std::vector<SumOf<float>> points;
     for (auto _ : state) {
         state.PauseTiming();
         refiner.reset();
-        std::vector<FloatPoint>().swap(points);
+        std::vector<SumOf<float>>().swap(points);
         state.ResumeTiming();
-        Far::TopologyDescriptor polygons;
-        polygons.numVertices = int(base.size());
-        polygons.numFaces = int(sides.size());
-        polygons.numVertsPerFace = sides.data();
-        polygons.vertIndicesPerFace = corners.data();
-        refiner.reset(Factory::Create(polygons, Factory::Options(loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK)));
-        refiner->RefineUniform(Far::TopologyRefiner::UniformOptions(1));
+        refiner = input.refined(1);
         points.resize(std::size_t(refiner->GetLevel(1).GetNumVertices()));
-        Far::PrimvarRefiner(*refiner).Interpolate(1, base, points);
+        Far::PrimvarRefiner(*refiner).Interpolate(1, input.points, points);
+    }
+}
+
+template <class Real>
+void stencils(benchmark::State& state, const Polygons<Real>& input, int level)
+{
+    using namespace OpenSubdiv;
+    using Factory = Far::StencilTableFactoryReal<Real>;
+    typename Factory::Options options;
+    options.generateIntermediateLevels = false;
+    options.generateOffsets = false;
+    const std::unique_ptr<const Far::StencilTableReal<Real>> table(Factory::Create(*input.refined(level), options));
+    std::vector<SumOf<Real>> points(std::size_t(table->GetNumStencils()));
+    for (auto _ : state) {
+        table->UpdateValues(input.points.data(), points.data());
+        benchmark::ClobberMemory();
     }
 }
 
@@ -129,10 +202,24 @@ int main(int argc, char** argv)
     for (const Scheme& s : schemes) {
         const Operator& op = registry.get(s.name);
         sized(benchmark::RegisterBenchmark((op.name + "/run").c_str(), [&op, &s](benchmark::State& state) { remesh(state, op, s.triangles, s.growth); }));
+        sized(benchmark::RegisterBenchmark((op.name + "/again").c_str(), [&op, &s](benchmark::State& state) { remesh_again(state, op, s.triangles, s.growth); }));
         sized(benchmark::RegisterBenchmark((op.name + "/floor").c_str(), [&op, &s](benchmark::State& state) { write_floor(state, op, s.triangles, s.growth); }));
     }
     sized(benchmark::RegisterBenchmark("opensubdiv/catmull_clark", [](benchmark::State& state) { open_subdiv(state, false); }));
     sized(benchmark::RegisterBenchmark("opensubdiv/loop", [](benchmark::State& state) { open_subdiv(state, true); }));
+    for (const bool loop : {false, true}) {
+        const std::string name = loop ? "opensubdiv/loop" : "opensubdiv/catmull_clark";
+        sized(benchmark::RegisterBenchmark((name + "/stencils").c_str(), [loop](benchmark::State& state) { stencils(state, Polygons<float>(torus(state.range(0) / 4, loop), loop), 1); }));
+        sized(benchmark::RegisterBenchmark((name + "/double_stencils").c_str(), [loop](benchmark::State& state) { stencils(state, Polygons<double>(torus(state.range(0) / 4, loop), loop), 1); }));
+    }
+    const auto previewed = [](benchmark::internal::Benchmark* b) {
+        b->Arg(90)->Arg(1'400)->Arg(23'000)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime(); // levels 5, 3 and 1, each about 92 000 faces
+    };
+    previewed(benchmark::RegisterBenchmark("smooth/anew", smooth_anew));
+    previewed(benchmark::RegisterBenchmark("smooth/moved", smooth_moved));
+    previewed(benchmark::RegisterBenchmark("smooth/double_stencils", [](benchmark::State& state) {
+        stencils(state, Polygons<double>(torus(state.range(0)), false), state.range(0) < 1'000 ? 5 : state.range(0) < 10'000 ? 3 : 1);
+    }));
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
 }

@@ -4,8 +4,10 @@
 #include "app/script.h"
 #include "dlfl/check.h"
 #include "dlfl/errors.h"
+#include "dlfl/mesh_tables.h"
 #include "dlfl/rind_upkeep.h"
 #include "io/read.h"
+#include "ops/remesh_again.h"
 
 #include <fmt/format.h>
 
@@ -85,6 +87,7 @@ Document::Outcome Document::apply_again(std::string_view text, Progress& progres
 {
     const Invocation call = bind(*registry_, parse_command(text));
     if (call.op->kind != Operator::Kind::edit) throw CommandError(call.op->name + ": is no step of the history");
+    if (place_again(call, progress)) return {call.text(), {}, {}, false, {}};
     History::Step last = history_.take_last(scene_);
     try {
         return run(call, progress, folder);
@@ -94,8 +97,59 @@ Document::Outcome Document::apply_again(std::string_view text, Progress& progres
     }
 }
 
+struct Document::Again {
+    const Operator* op;
+    std::unique_ptr<RemeshAgain> run;
+    std::uint64_t version; // of the document after it
+    Column<Point> points;  // room for those of the next one
+};
+
+/// Keeps the last step, if it is a run of the same remeshing, and the call changes nothing but where vertices are.
+void Document::keep_last(const Invocation& call, Progress& progress)
+{
+    again_.reset();
+    const KeepRun keep = keep_run(*call.op);
+    if (!keep || history_.done() != history_.size() || history_.done() == history_.first()) return;
+    const History::Step& last = history_[history_.done() - 1];
+    const Invocation before = bind(*registry_, parse_command(last.command.text));
+    if (before.op != call.op || last.rind.whole) return; // each run says that it empties the rind
+    History::Step step = history_.take_last(scene_);
+    std::unique_ptr<RemeshAgain> run;
+    try {
+        run = keep(scene_.mesh, before.parameters.get(), call.parameters.get(), progress);
+    } catch (...) {
+        history_.put_last(scene_, std::move(step));
+        throw;
+    }
+    history_.put_last(scene_, std::move(step));
+    if (run) again_ = std::make_shared<Again>(Again{call.op, std::move(run), version_, {}});
+}
+
+/// Moves the vertices to where this command would have put them instead of the last one. False where it would have done more than that.
+bool Document::place_again(const Invocation& call, Progress& progress)
+{
+    if (!again_ || again_->version != version_ || again_->op != call.op) keep_last(call, progress);
+    if (!again_) return false;
+    Again& again = *again_;
+    again.points.reserve(scene_.mesh.vertex_limit());
+    again.points.truncate(0);
+    const std::span<Point> to(again.points.extend(scene_.mesh.vertex_limit()), scene_.mesh.vertex_limit());
+    try {
+        if (!again.run->place(call.parameters.get(), to, progress)) return false;
+    } catch (const CommandError& e) {
+        throw CommandError(fmt::format("{}: {}", call.op->name, e.what()));
+    }
+    const auto beyond = std::ranges::find_if_not(to, is_in_reach);
+    if (beyond != to.end()) throw CommandError(fmt::format("{}: vertex {} would lie beyond {}", call.op->name, beyond - to.begin(), largest_coordinate));
+    MeshTables::exchange_positions(scene_.mesh, again.points);
+    history_.rename_last({call.text(), {}});
+    again.version = ++version_;
+    return true;
+}
+
 Document::Outcome Document::run(const Invocation& call, Progress& progress, const fs::path& folder)
 {
+    again_.reset();
     progress.step(0.0);
     Context context{progress, folder, scripts_, {}, {}, false, [&](const fs::path& file) { return read_model(folder / file, progress).mesh; }};
     try {

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,7 +43,7 @@ public:
     Outcome apply(std::string_view command);
 
     /// Takes the last step back and runs this command in its place, as dragging a slider after a click does. If it throws, the last
-    /// step stands again. Precondition: the present state is the end of the history, and it has a step that can be undone.
+    /// step stands again. Where both remesh the model, and differ in positions only, nothing but these is made. Precondition: the present state is the end of the history, and it has a step that can be undone.
     /// @throws also CommandError for a command that is no step of the history
     Outcome apply_again(std::string_view command, Progress& progress, const std::filesystem::path& folder = {});
 
@@ -76,6 +77,8 @@ public:
 private:
     Outcome run(const Invocation& call, Progress& progress, const std::filesystem::path& folder);
     Outcome open(const std::filesystem::path& file, ScriptCommand command, Progress& progress);
+    bool place_again(const Invocation& call, Progress& progress);
+    void keep_last(const Invocation& call, Progress& progress);
     void edit(const Invocation& call, Context& context);
     void query(const Invocation& call, Context& context);
     void travel(const Invocation& call);
@@ -88,6 +91,9 @@ private:
     std::uint64_t version_ = 0;
     bool without_file_ = false; // began with a model that a script cannot open
     std::vector<std::filesystem::path> scripts_;
+
+    struct Again;
+    std::shared_ptr<Again> again_; // the last step, kept for another apply_again()
 };
 
 } // namespace druse

@@ -120,6 +120,16 @@ void History::put_last(Scene& scene, Step&& step)
     add(std::move(step), scene);
 }
 
+void History::rename_last(ScriptCommand command)
+{
+    ASSERT(done_ == size() && done_ > 0, "a last step");
+    Step& step = steps_.back();
+    bytes_ -= step.bytes;
+    step.bytes = step.bytes - step.command.text.size() + command.text.size();
+    bytes_ += step.bytes;
+    step.command = std::move(command);
+}
+
 std::vector<ScriptCommand> History::script() const
 {
     std::vector<ScriptCommand> commands;

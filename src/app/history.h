@@ -61,6 +61,8 @@ public:
     Step take_last(Scene& scene);
     /// Does again what take_last() took back. Precondition: the scene is as it left it.
     void put_last(Scene& scene, Step&& step);
+    /// Says that another command led from the same state to the present one. Precondition: done() == size() > 0
+    void rename_last(ScriptCommand command);
 
     std::size_t bytes() const { return bytes_; }
     std::size_t budget() const { return budget_; }

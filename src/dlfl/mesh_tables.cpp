@@ -3,6 +3,7 @@
 #include "dlfl/errors.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace druse {
 
@@ -33,6 +34,12 @@ MeshTables::View MeshTables::view(const Mesh& mesh)
 {
     return {mesh.corner_vertex_.view(), mesh.corner_next_.view(),  mesh.corner_previous_.view(), mesh.corner_face_.view(),
             mesh.corner_edge_.view(),   mesh.edge_corners_.view(), mesh.face_corner_.view()};
+}
+
+void MeshTables::exchange_positions(Mesh& mesh, Column<Point>& positions)
+{
+    ASSERT(positions.size() == mesh.vertex_limit() && !mesh.is_recording(), "a position for each vertex, and no change being recorded");
+    std::swap(mesh.vertex_position_, positions);
 }
 
 void MeshTables::append_reversed(Mesh& mesh)

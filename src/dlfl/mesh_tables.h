@@ -80,6 +80,9 @@ public:
     };
     static View view(const Mesh& mesh);
 
+    /// Puts these positions in place of all, and the old ones in theirs. Preconditions: as many as there are, and no change is being recorded.
+    static void exchange_positions(Mesh& mesh, Column<Point>& positions);
+
     /// Adds a copy of everything, turned inside out: vertex v becomes V + v, edge e E + e, face f F + f, each face from the same start vertex.
     /// Preconditions: no holes, no open boundary. Cost: what is added is written once, in order.
     /// @throws CommandError if there would be 2^31 of a kind or more

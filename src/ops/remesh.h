@@ -5,12 +5,18 @@
 #include "geom/do_both.h"
 #include "geom/progress.h"
 #include "ops/registry.h"
+#include "ops/remesh_again.h"
 #include "ops/remesh_old_mesh.h"
 #include "ops/remesh_scheme.h"
 
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace druse {
 
@@ -27,6 +33,28 @@ struct NewPoints {
     Point* face_point = nullptr;   // by face
     Point* corner_point = nullptr; // by corner
     Point* outer_point = nullptr;  // by corner
+};
+
+/// How the new vertices of a scheme are numbered: kind after kind.
+template <const Scheme& scheme>
+struct NewVertices {
+    std::uint32_t first[kinds];
+    std::uint64_t count = 0;
+
+    explicit NewVertices(const OldMesh& old)
+    {
+        const std::uint32_t counts[kinds] = {old.vertices(), old.edges(), old.corners(), old.faces(), old.corners(), old.corners()};
+        for (std::size_t kind = 0; kind < kinds; ++kind) {
+            first[kind] = static_cast<std::uint32_t>(count);
+            if (makes(scheme, Kind(kind))) count += counts[kind];
+        }
+    }
+
+    NewPoints points(Point* of_first) const
+    {
+        const auto at = [&](Kind kind) { return makes(scheme, kind) ? of_first + first[std::size_t(kind)] : nullptr; };
+        return {at(Kind::old_vertex), at(Kind::edge_point), at(Kind::side_point), at(Kind::face_point), at(Kind::corner_point), at(Kind::outer_point)};
+    }
 };
 
 template <Way way, std::size_t... I>
@@ -69,22 +97,18 @@ public:
     static constexpr int least_valence = vertex_part > 0 ? 3 : 2;
 
     Builder(OldMesh& old, RemeshGroups groups, Progress& progress)
-        : old_(old), groups_(groups), progress_(progress), corners_(old.corners()),
-          tables_(counted(), std::uint64_t(growth(scheme)) * corners_ / 2, new_faces(old), std::uint64_t(growth(scheme)) * corners_)
+        : old_(old), groups_(groups), progress_(progress), corners_(old.corners()), vertices_(old),
+          tables_(vertices_.count, std::uint64_t(growth(scheme)) * corners_ / 2, new_faces(old), std::uint64_t(growth(scheme)) * corners_)
     {
     }
 
-    NewPoints points() const
-    {
-        const auto at = [this](Kind kind) { return makes(scheme, kind) ? tables_.position + first_vertex_[std::size_t(kind)] : nullptr; };
-        return {at(Kind::old_vertex), at(Kind::edge_point), at(Kind::side_point), at(Kind::face_point), at(Kind::corner_point), at(Kind::outer_point)};
-    }
+    NewPoints points() const { return vertices_.points(tables_.position); }
 
     /// Everything but the positions.
     void connect()
     {
         if constexpr (vertex_part > 0) old_.order_around(looks_for_places());
-        if constexpr (!uses.vertices_known) std::fill_n(tables_.vertex_corner, vertices_, Corner());
+        if constexpr (!uses.vertices_known) std::fill_n(tables_.vertex_corner, vertices_.count, Corner());
         const std::uint32_t all = growth(scheme) * corners_;
         auto report = [&, reported = std::uint32_t(0)](std::uint32_t done) mutable {
             if (done - reported < (1u << 17)) return;
@@ -139,19 +163,6 @@ public:
     Mesh take() { return tables_.take(); }
 
 private:
-    /// Numbers the kinds of new vertices one after the other, and counts them.
-    std::uint64_t counted()
-    {
-        const std::uint32_t counts[kinds] = {old_.vertices(), old_.edges(), corners_, old_.faces(), corners_, corners_};
-        std::uint64_t count = 0;
-        for (std::size_t kind = 0; kind < kinds; ++kind) {
-            first_vertex_[kind] = static_cast<std::uint32_t>(count);
-            if (makes(scheme, Kind(kind))) count += counts[kind];
-        }
-        vertices_ = static_cast<std::uint32_t>(count);
-        return count;
-    }
-
     static std::uint64_t new_faces(const OldMesh& old)
     {
         const std::uint64_t at_corners = count_of(scheme, corner_layout, edge_layout) + count_of(scheme, side_layout, vertex_layout);
@@ -167,7 +178,7 @@ private:
     std::uint32_t vertex_of(std::uint32_t c) const
     {
         constexpr Name name = polygon_of(scheme, layout).names[place];
-        const std::uint32_t first = first_vertex_[std::size_t(name.kind)];
+        const std::uint32_t first = vertices_.first[std::size_t(name.kind)];
         switch (name.kind) {
         case Kind::old_vertex: return first + old_.vertex(walk<name.way>(old_, c));
         case Kind::edge_point: return first + (side_after<name.way>(old_, c) >> 1);
@@ -306,8 +317,8 @@ private:
     OldMesh& old_;
     RemeshGroups groups_;
     Progress& progress_;
-    std::uint32_t corners_;
-    std::uint32_t first_vertex_[kinds], vertices_ = 0, edges_ = 0;
+    std::uint32_t corners_, edges_ = 0;
+    NewVertices<scheme> vertices_;
     MeshTables tables_;
 };
 
@@ -366,6 +377,88 @@ Definition<Remeshing<Kernel>> define_remeshing(std::string name, std::string hel
     return define<Remeshing<Kernel>>(std::move(name), std::move(help));
 }
 
+namespace remesh {
+
+/// Where faces or vertices are left out, a run is not kept.
+template <class P>
+bool makes_same_mesh(const P& a, const P& b)
+{
+    if constexpr (requires { a.only; })
+        if (a.only || b.only) return false;
+    if constexpr (requires { a.mirror; })
+        if (a.mirror != b.mirror) return false;
+    return a.iterations == b.iterations && a.groups == b.groups;
+}
+
+template <class Kernel, class P>
+class KeptRun final : public RemeshAgain {
+public:
+    KeptRun(const Mesh& mesh, const P& p, Progress& progress) : parameters_(p)
+    {
+        steps_.push_back(std::make_unique<Step>(Mesh(mesh)));
+        for (int i = 1; i < p.iterations; ++i)
+            steps_.push_back(std::make_unique<Step>(apply_once<Kernel>(steps_.back()->mesh, p, p.groups, progress)));
+    }
+
+    bool place(const void* parameters, std::span<Point> to, Progress& progress) override
+    {
+        const P& p = *static_cast<const P*>(parameters);
+        if (!makes_same_mesh(parameters_, p)) return false;
+        for (std::size_t i = 0; i < steps_.size(); ++i) {
+            const OldMesh& old = steps_[i]->old;
+            const std::span<Point> made = i + 1 < steps_.size() ? steps_[i + 1]->mesh.write_positions() : to;
+            const NewVertices<Kernel::scheme> vertices(old); // the mirror image has them, too
+            ASSERT(vertices.count == made.size(), "as many vertices as the scheme makes");
+            static_cast<const Kernel&>(p).place(old, vertices.points(made.data()), progress);
+        }
+        return true;
+    }
+
+private:
+    struct Step {
+        Mesh mesh;
+        OldMesh old;
+        explicit Step(Mesh&& m) : mesh(std::move(m)), old(mesh, Builder<Kernel::scheme>::least_valence) {}
+    };
+    P parameters_;
+    std::vector<std::unique_ptr<Step>> steps_; // the meshes that the iterations read
+};
+
+template <class Kernel, class P>
+std::unique_ptr<RemeshAgain> keep_run_of(const Mesh& mesh, const void* before, const void* now, Progress& progress)
+{
+    const P& p = *static_cast<const P*>(now);
+    if (!makes_same_mesh(*static_cast<const P*>(before), p)) return nullptr;
+    return std::make_unique<KeptRun<Kernel, P>>(mesh, p, progress);
+}
+
+} // namespace remesh
+
+/// A remeshing as it is registered.
+struct RemeshOperator {
+    Operator op;
+    KeepRun keep = nullptr;
+};
+
+/// The registry, and beside it how runs are kept.
+class RemeshRegistry {
+public:
+    explicit RemeshRegistry(Registry& all) : all_(all) {}
+
+    void add(RemeshOperator remeshing)
+    {
+        if (remeshing.keep) keep_.emplace(remeshing.op.name, remeshing.keep);
+        all_.add(std::move(remeshing.op));
+    }
+    const Operator& get(std::string_view name) const { return all_.get(name); }
+    /// By the names of the operators.
+    const std::map<std::string, KeepRun>& kept() const { return keep_; }
+
+private:
+    Registry& all_;
+    std::map<std::string, KeepRun> keep_;
+};
+
 /// Adds the parameters that all of them share.
 template <class P>
 void add_shared_parameters(Definition<P>& definition)
@@ -376,14 +469,14 @@ void add_shared_parameters(Definition<P>& definition)
 
 /// Ends a registration begun with define_remeshing: the parameters that all of them share, and what runs.
 template <class Kernel>
-Operator complete(Definition<Remeshing<Kernel>>& definition)
+RemeshOperator complete(Definition<Remeshing<Kernel>>& definition)
 {
     add_shared_parameters(definition);
     definition.keeps_euler().run([](Scene& scene, const Remeshing<Kernel>& p, Context& context) {
         scene.mesh.replace_with(remeshed<Kernel>(scene.mesh, p, p.iterations, p.groups, context.progress));
         scene.selection.edit() = Selection();
     });
-    return definition;
+    return {definition, remesh::keep_run_of<Kernel, Remeshing<Kernel>>};
 }
 
 } // namespace druse

@@ -282,7 +282,7 @@ struct SubdivideLimit {
 
 } // namespace
 
-void add_remesh_limit(Registry& registry)
+void add_remesh_limit(RemeshRegistry& registry)
 {
     using P = SubdivideLimit;
     auto definition = define<P>("remesh.subdivide_limit", "Subdivide, and move the points to the surface that this goes to without end");
@@ -299,7 +299,7 @@ void add_remesh_limit(Registry& registry)
             scene.mesh.replace_with(limit_surface(scene.mesh, surface, context.progress));
             scene.selection.edit() = Selection();
         });
-    registry.add(definition);
+    registry.add({definition});
 }
 
 } // namespace druse

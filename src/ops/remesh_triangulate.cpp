@@ -176,7 +176,7 @@ void triangulate(Scene& scene, const Triangulation& p, Context& context)
 
 } // namespace
 
-void add_remesh_triangulate(Registry& registry)
+void add_remesh_triangulate(RemeshRegistry& registry)
 {
     auto definition = define<Triangulation>("remesh.triangulate", "Cut faces into triangles");
     definition.param(&Triangulation::faces, "faces", "faces to cut")
@@ -186,7 +186,7 @@ void add_remesh_triangulate(Registry& registry)
         .example("remesh.triangulate method=center")
         .cites("Meisters 1975")
         .run(triangulate);
-    registry.add(definition);
+    registry.add({definition});
 }
 
 } // namespace druse

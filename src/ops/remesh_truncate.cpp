@@ -165,7 +165,7 @@ void truncate(Scene& scene, const Truncation& p, Context& context)
 
 } // namespace
 
-void add_remesh_truncate(Registry& registry)
+void add_remesh_truncate(RemeshRegistry& registry)
 {
     auto truncation = define<Truncation>("remesh.truncate", "Cut off the vertices");
     truncation.param(&Truncation::t, "t", Unit::ratio, between(0, 0.5), "where edges are cut, as a fraction of their length from each end")
@@ -173,7 +173,7 @@ void add_remesh_truncate(Registry& registry)
         .example("remesh.truncate t=0.333333333333333")
         .cites("Akleman, Edmundson & Özener 2005");
     add_shared_parameters(truncation);
-    registry.add(truncation.keeps_euler().run(truncate));
+    registry.add({truncation.keeps_euler().run(truncate), keep_run_of<Truncate, Truncation>});
 
     auto honeycomb = define_remeshing<Honeycomb>("remesh.honeycomb", "Turn and shrink the faces, and put one with twice as many sides as it has edges on every vertex");
     honeycomb.alias("remesh.zip").example("remesh.honeycomb").cites("Akleman & Srinivasan 2002");

@@ -2,6 +2,7 @@
 
 #include "app/documents.h"
 #include "app/registry.h"
+#include "dlfl/mesh_tables.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 namespace druse {
 namespace {
@@ -314,6 +316,86 @@ TEST(Document, KeepsTheLastStepIfItCannotBeRunAgain)
     EXPECT_EQ(document.script({}), script);
     document.apply("document.undo");
     EXPECT_EQ(counts(document.scene().mesh), (Counts{8, 12, 6}));
+}
+
+TEST(Document, MovesTheVerticesOfARemeshingThatIsRunAgain)
+{
+    struct Drag {
+        const char *click, *drags[3];
+    };
+    const Drag all[] = {{"remesh.truncate", {"remesh.truncate t=0.1", "remesh.truncate t=0.3", "remesh.truncate t=0.4"}},
+                        {"remesh.snub iterations=2", {"remesh.snub iterations=2 t=0.2", "remesh.snub iterations=2 t=0.4", "remesh.snub iterations=2 t=0.15"}},
+                        {"remesh.catmull_clark groups=keep", {"remesh.catmull_clark smooth=false groups=keep", "remesh.catmull_clark groups=keep", "remesh.catmull_clark smooth=false groups=keep"}}};
+    for (const auto& [click, drags] : all) {
+        Document document(all_operators()), other(all_operators());
+        Progress progress;
+        for (Document* d : {&document, &other})
+            for (const char* before : {"make.cube", "group.by rule=normal", "extrude.dodecahedral faces=1", "select.faces faces=2"}) d->apply(before);
+        document.apply(click);
+        const Mesh& mesh = document.scene().mesh;
+        const Corner* const connectivity = MeshTables::view(mesh).next.data();
+        bool is_first = true;
+        for (const char* drag : drags) {
+            if (!std::exchange(is_first, false)) other.apply("document.undo");
+            const std::uint64_t version = document.version();
+            EXPECT_EQ(document.apply_again(drag, progress).text, other.apply(drag).text);
+            EXPECT_EQ(State(document), State(other)) << drag;
+            EXPECT_EQ(document.script({}), other.script({}));
+            EXPECT_EQ(document.history().bytes(), other.history().bytes());
+            EXPECT_GT(document.version(), version);
+            EXPECT_EQ(MeshTables::view(mesh).next.data(), connectivity) << "nothing but positions is made";
+        }
+        for (const char* travel : {"document.undo", "document.redo", "group.assign faces=0 id=7", "document.goto step=4"}) {
+            for (Document* d : {&document, &other}) d->apply(travel);
+            EXPECT_EQ(State(document), State(other)) << travel;
+        }
+    }
+}
+
+TEST(Document, RemeshesAnewWhereMoreThanPositionsChanges)
+{
+    Document document(all_operators());
+    Progress progress;
+    document.apply("make.cube");
+    document.apply("remesh.truncate");
+    for (const char* again : {"remesh.truncate t=0.3", "remesh.truncate iterations=2", "remesh.truncate iterations=2 t=0.3", "remesh.truncate groups=none", "remesh.truncate only=3 t=0.1",
+                              "remesh.truncate only=3 t=0.2", "remesh.truncate t=0.2", "remesh.pentagonal", "remesh.pentagonal mirror=true", "remesh.pentagonal mirror=true offset=0.1",
+                              "remesh.conway recipe=tk", "remesh.dual", "remesh.dual polar=true", "extrude.cubical faces=1", "remesh.truncate t=0.1"}) {
+        document.apply_again(again, progress);
+        Document other(all_operators());
+        other.apply("make.cube");
+        other.apply(again);
+        EXPECT_EQ(State(document), State(other)) << again;
+        EXPECT_EQ(document.history().size(), 2u);
+    }
+}
+
+TEST(Document, KeepsARemeshingThatCannotBeRunAgain)
+{
+    // The middle of all vertices lies in the planes of two faces, which have no pole.
+    Document document(all_operators());
+    Progress progress;
+    document.apply("make.cube");
+    document.apply("make.cube");
+    document.apply("mesh.transform vertices=8-15 move=3,0,1");
+    document.apply("remesh.dual");
+    for (int i = 0; i < 2; ++i) {
+        const State before(document);
+        const std::string script = document.script({});
+        try {
+            document.apply_again("remesh.dual polar=true", progress);
+            FAIL() << "a face passes through the centre";
+        } catch (const CommandError& e) {
+            EXPECT_EQ(std::string(e.what()).substr(0, 18), "remesh.dual: face ") << e.what();
+        }
+        EXPECT_EQ(State(document), before);
+        EXPECT_EQ(document.script({}), script);
+        document.apply_again("remesh.dual groups=keep", progress);
+        document.apply_again("remesh.dual", progress);
+    }
+    document.apply("rind.crust guard=off");
+    document.apply("remesh.truncate");
+    EXPECT_EQ(document.apply_again("remesh.truncate t=0.3", progress).notes, std::vector<std::string>{"the rind can no longer be punched"});
 }
 
 // --- beginnings -------------------------------------------------------------------------------------------------------------------
