@@ -121,6 +121,9 @@ public:
     /// Many interior points at once. Places are taken as they are given: only `weld` counts. Cost: n log n, with small factors.
     std::vector<PointId> add_all(std::span<const Point2> points);
 
+    /// Another `snap` for the edits to come, 0 to 1e150.
+    void set_snap(double snap);
+
     // --- edits of segments ----------------------------------------------------------------------------------------------------------------
     /// A segment along a path of points, straight from each to the next; it passes through points within `snap` of it, and meets other
     /// segments in crossing points. One that is there already is handed back, with a note.
@@ -172,7 +175,6 @@ public:
     std::vector<PointId> chain(SegmentId segment) const;
     double snap() const { return state_.snap; }
     double weld() const { return state_.weld; }
-    void set_snap(double snap) { state_.snap = snap; }
     /// The triangulation of the pane and of what lies around it, by vertex; id() tells the points, none for the corners of its box.
     const Triangulation& triangulation() const { return triangulation_; }
     PointId id(Index vertex) const { return points_[vertex].id; }

@@ -122,7 +122,8 @@ Index Pane::put(const Point2& p, Index moved, Place at)
     if (moved == none) make_point(v, PointKind::interior);
     ASSERT(moved == none || moved == v, "a moved point keeps its number");
     if ((bits & Triangulation::loop_bit) != 0) {
-        if (moved != none && points_[v].kind == PointKind::boundary) refuse(Reason::boundary_touches, fmt::format("{} would lie on the boundary", text(v)));
+        if (moved != none && points_[v].kind == PointKind::boundary)
+            refuse(Reason::boundary_touches, fmt::format("{} would lie on the boundary", text(v)));
         make_boundary(v, points_[a].loop);
     }
     if ((bits & Triangulation::segment_bit) != 0) split_pieces(a, b, v);
@@ -438,6 +439,15 @@ void Pane::add_twin(PointId point, PointId other, const Isometry& map)
         vertex_asked(point);
         const Index link = twins_.add({Index(point), Index(other), first_twin_[Index(point)], map});
         first_twin_.change(Index(point)) = link;
+        return 0;
+    });
+}
+
+void Pane::set_snap(double snap)
+{
+    if (!(snap >= 0 && snap <= 1e150)) refuse(Reason::range, fmt::format("snap={}: expected 0 to 1e150", snap));
+    edit([&] {
+        state_.snap = snap;
         return 0;
     });
 }

@@ -273,7 +273,8 @@ void Pane::spread(int rounds)
                 const Index first = triangulation_.out(v);
                 Index h = first;
                 do {
-                    const Point2 &p = triangulation_.position(v), &a = triangulation_.position(triangulation_.target(h)), &b = triangulation_.position(triangulation_.apex(h));
+                    const Point2 &p = triangulation_.position(v), &a = triangulation_.position(triangulation_.target(h));
+                    const Point2& b = triangulation_.position(triangulation_.apex(h));
                     const double area = (a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x);
                     sum += area * ((a - p) + (b - p)) / 3.0;
                     weight += area;

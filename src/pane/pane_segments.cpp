@@ -280,7 +280,9 @@ std::vector<Index> Pane::near_line(Index u, Index v, double reach) const
         }
     }
     const auto along = [&](Index w) { return glm::dot(t.position(w) - from, to - from); };
-    std::sort(found.begin(), found.end(), [&](Index a, Index b) { return along(a) != along(b) ? along(a) < along(b) : is_before(t.position(a), t.position(b)); });
+    std::sort(found.begin(), found.end(), [&](Index a, Index b) {
+        return along(a) != along(b) ? along(a) < along(b) : is_before(t.position(a), t.position(b));
+    });
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }

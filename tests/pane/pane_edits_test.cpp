@@ -68,6 +68,9 @@ TEST(PaneAdd, MeansAPointThatIsThere)
     EXPECT_EQ(pane.add({0.05, 0.05}), PointId(0));
     expect_refused(pane, Reason::coincides, [&] { pane.add({5.05, 5}, {}, true); });
     EXPECT_NE(pane.add({5.2, 5}), p);
+    pane.set_snap(0.01);
+    EXPECT_NE(pane.add({5.05, 5.05}), p);
+    expect_refused(pane, Reason::range, [&] { pane.set_snap(-1); });
     Pane welded = square();
     const PointId q = welded.add({5, 5});
     EXPECT_EQ(welded.add({5, 5 + 5e-9}), q); // weld counts even without snap
