@@ -4,6 +4,7 @@
 #include "app/registry.h"
 #include "app/script.h"
 #include "dlfl/measures.h"
+#include "dlfl/self_intersections.h"
 #include "graph/graph_facts.h"
 #include "io/read.h"
 #include "support/folder.h"
@@ -29,7 +30,7 @@ Document ran(const std::vector<std::string>& commands)
 
 // --- figures --------------------------------------------------------------------------------------------------------------------
 
-/// A recipe of 40 section 9: counts of the graph.
+/// A figure and the counts of its graph, verified with an independent program.
 struct Figure {
     const char *name, *tess, *map;
     std::uint32_t vertices, edges;
@@ -147,6 +148,23 @@ TEST(Sculpture, IsOneStepWithTheGenusOfItsGraph)
     }
     const Document cube = ran({"make.cube", "graph.sculpture name=bunny-struts"});
     EXPECT_EQ(facts(cube.scene().mesh).genus, 5); // 12 − 8 + 1
+}
+
+TEST(Sculpture, OfOtherFiguresIsClosedAndMeetsItselfNowhere)
+{
+    struct Other {
+        const char *tess, *map, *struts;
+        std::int64_t genus;
+    };
+    for (const Other& o : {Other{"config=5,4,5,4 center=face:5 layers=2", "to=disk", "radius=0.08", 41},
+                           Other{"config=7,6,6 center=face:7 layers=3", "to=knot", "radius=0.08 sides=3", 442},
+                           Other{"config=5,4,5,4 center=face:5 layers=2", "to=polyhedron solid=cube", "radius=0.08", 109}}) {
+        const Document document = ran({std::string("graph.tess ") + o.tess, std::string("graph.map ") + o.map, std::string("graph.struts ") + o.struts});
+        Progress progress;
+        EXPECT_EQ(facts(document.scene().mesh).component_genus, std::vector<std::int64_t>{o.genus}) << o.map;
+        EXPECT_EQ(document.scene().mesh.boundary_count(), 0u);
+        EXPECT_EQ(self_intersections(document.scene().mesh, progress, 1).pairs, 0u) << o.map;
+    }
 }
 
 TEST(Sculpture, IsRefusedWithoutAMeshToTakeEdgesFrom)
