@@ -7,7 +7,6 @@
 #include "dlfl/mesh_tables.h"
 #include "dlfl/rind_upkeep.h"
 #include "io/read.h"
-#include "ops/remesh_again.h"
 
 #include <fmt/format.h>
 
@@ -108,7 +107,7 @@ struct Document::Again {
 void Document::keep_last(const Invocation& call, Progress& progress)
 {
     again_.reset();
-    const KeepRun keep = keep_run(*call.op);
+    const KeepRun keep = call.op->keep;
     if (!keep || history_.done() != history_.size() || history_.done() == history_.first()) return;
     const History::Step& last = history_[history_.done() - 1];
     const Invocation before = bind(*registry_, parse_command(last.command.text));

@@ -3,6 +3,7 @@
 #include "dlfl/errors.h"
 #include "geom/progress.h"
 #include "ops/parameter.h"
+#include "ops/remesh_again.h"
 #include "ops/scene.h"
 
 #include <cstdint>
@@ -56,6 +57,7 @@ struct Operator {
 
     std::function<std::shared_ptr<void>()> make;                       // parameters with their defaults
     std::function<void(Scene&, const void*, Context&)> run;            // throws CommandError; Document::apply puts the scene back
+    KeepRun keep = nullptr; // how a run is kept, of remeshings that treat every face alike
 
     std::string family() const { return name.substr(0, name.find('.')); }
     std::string title() const; // `Truncated cube` for family.truncated_cube
@@ -177,6 +179,11 @@ public:
     Definition& travel()
     {
         operator_.kind = Operator::Kind::travel;
+        return *this;
+    }
+    Definition& keeps_runs_by(KeepRun keep)
+    {
+        operator_.keep = keep;
         return *this;
     }
     template <class Function>

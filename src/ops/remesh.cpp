@@ -31,23 +31,21 @@ void remesh::refuse_too_large_where(std::uint64_t edges, std::uint32_t n, std::u
 }
 
 // One function a file.
-void add_remesh_checkerboard(RemeshRegistry& registry);
-void add_remesh_catmull_clark(RemeshRegistry& registry);
-void add_remesh_loop(RemeshRegistry& registry);
-void add_remesh_doo_sabin(RemeshRegistry& registry);
-void add_remesh_truncate(RemeshRegistry& registry);
-void add_remesh_dual(RemeshRegistry& registry);
-void add_remesh_root(RemeshRegistry& registry);
-void add_remesh_stellate(RemeshRegistry& registry);
-void add_remesh_pentagonal(RemeshRegistry& registry);
-void add_remesh_inset(RemeshRegistry& registry);
-void add_remesh_triangulate(RemeshRegistry& registry);
-void add_remesh_limit(RemeshRegistry& registry);
-void add_remesh_conway(RemeshRegistry& registry);
+void add_remesh_checkerboard(Registry& registry);
+void add_remesh_catmull_clark(Registry& registry);
+void add_remesh_loop(Registry& registry);
+void add_remesh_doo_sabin(Registry& registry);
+void add_remesh_truncate(Registry& registry);
+void add_remesh_dual(Registry& registry);
+void add_remesh_root(Registry& registry);
+void add_remesh_stellate(Registry& registry);
+void add_remesh_pentagonal(Registry& registry);
+void add_remesh_inset(Registry& registry);
+void add_remesh_triangulate(Registry& registry);
+void add_remesh_limit(Registry& registry);
+void add_remesh_conway(Registry& registry);
 
-namespace {
-
-void add_all(RemeshRegistry& registry)
+void register_remesh(Registry& registry)
 {
     add_remesh_checkerboard(registry);
     add_remesh_catmull_clark(registry);
@@ -62,26 +60,6 @@ void add_all(RemeshRegistry& registry)
     add_remesh_triangulate(registry);
     add_remesh_inset(registry);
     add_remesh_conway(registry); // of the others
-}
-
-} // namespace
-
-void register_remesh(Registry& registry)
-{
-    RemeshRegistry remeshings(registry);
-    add_all(remeshings);
-}
-
-KeepRun keep_run(const Operator& op)
-{
-    static const std::map<std::string, KeepRun> kept = [] {
-        Registry registry;
-        RemeshRegistry remeshings(registry);
-        add_all(remeshings);
-        return remeshings.kept();
-    }();
-    const auto found = kept.find(op.name);
-    return found != kept.end() ? found->second : nullptr;
 }
 
 } // namespace druse

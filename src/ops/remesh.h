@@ -10,11 +10,9 @@
 #include "ops/remesh_scheme.h"
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -434,31 +432,6 @@ std::unique_ptr<RemeshAgain> keep_run_of(const Mesh& mesh, const void* before, c
 
 } // namespace remesh
 
-/// A remeshing as it is registered.
-struct RemeshOperator {
-    Operator op;
-    KeepRun keep = nullptr;
-};
-
-/// The registry, and beside it how runs are kept.
-class RemeshRegistry {
-public:
-    explicit RemeshRegistry(Registry& all) : all_(all) {}
-
-    void add(RemeshOperator remeshing)
-    {
-        if (remeshing.keep) keep_.emplace(remeshing.op.name, remeshing.keep);
-        all_.add(std::move(remeshing.op));
-    }
-    const Operator& get(std::string_view name) const { return all_.get(name); }
-    /// By the names of the operators.
-    const std::map<std::string, KeepRun>& kept() const { return keep_; }
-
-private:
-    Registry& all_;
-    std::map<std::string, KeepRun> keep_;
-};
-
 /// Adds the parameters that all of them share.
 template <class P>
 void add_shared_parameters(Definition<P>& definition)
@@ -469,14 +442,15 @@ void add_shared_parameters(Definition<P>& definition)
 
 /// Ends a registration begun with define_remeshing: the parameters that all of them share, and what runs.
 template <class Kernel>
-RemeshOperator complete(Definition<Remeshing<Kernel>>& definition)
+Operator complete(Definition<Remeshing<Kernel>>& definition)
 {
     add_shared_parameters(definition);
     definition.keeps_euler().run([](Scene& scene, const Remeshing<Kernel>& p, Context& context) {
         scene.mesh.replace_with(remeshed<Kernel>(scene.mesh, p, p.iterations, p.groups, context.progress));
         scene.selection.edit() = Selection();
     });
-    return {definition, remesh::keep_run_of<Kernel, Remeshing<Kernel>>};
+    definition.keeps_runs_by(remesh::keep_run_of<Kernel, Remeshing<Kernel>>);
+    return definition;
 }
 
 } // namespace druse

@@ -9,7 +9,6 @@
 namespace druse {
 
 class Mesh;
-struct Operator;
 
 /// A run of a remeshing operator on one mesh, kept to be done again with parameters that move the new vertices and change nothing else, as a
 /// slider does that is dragged: all connectivity stays, and nothing but positions is made.
@@ -25,8 +24,5 @@ public:
 
 /// Keeps a run on a mesh that was done with the parameters `before`, for `now`: null where these make another mesh. Cost: less than that run.
 using KeepRun = std::unique_ptr<RemeshAgain> (*)(const Mesh& mesh, const void* before, const void* now, Progress& progress);
-
-/// How runs of an operator are kept; null for all but those remeshings that treat every face alike.
-KeepRun keep_run(const Operator& op);
 
 } // namespace druse

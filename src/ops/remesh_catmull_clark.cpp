@@ -38,7 +38,7 @@ struct Linear : CatmullClark {
 
 } // namespace
 
-void add_remesh_catmull_clark(RemeshRegistry& registry)
+void add_remesh_catmull_clark(Registry& registry)
 {
     auto smooth = define_remeshing<CatmullClark>("remesh.catmull_clark", "Make a quad in each corner, and smooth");
     smooth.param(&CatmullClark::smooth, "smooth", "move the old vertices and edge points; otherwise edges are halved")

@@ -24,7 +24,7 @@ void Checkerboard::place(const remesh::OldMesh& old, const remesh::NewPoints& to
     });
 }
 
-void add_remesh_checkerboard(RemeshRegistry& registry)
+void add_remesh_checkerboard(Registry& registry)
 {
     auto definition = define_remeshing<Checkerboard>("remesh.checkerboard", "Make a smaller face in a frame of quads of every face");
     definition.param(&Checkerboard::t, "t", Unit::ratio, between(0, 0.5), "where edges are cut, as a fraction of their length from each end")

@@ -142,7 +142,7 @@ void run_recipe(const LetterOperators& operators, Scene& scene, const ConwayReci
 
 } // namespace
 
-void add_remesh_conway(RemeshRegistry& registry)
+void add_remesh_conway(Registry& registry)
 {
     auto operators = std::make_shared<LetterOperators>();
     for (const Letter& l : letters) operators->emplace(l.letter, registry.get(l.command));
@@ -152,10 +152,10 @@ void add_remesh_conway(RemeshRegistry& registry)
     definition.param(&P::recipe, "recipe", "letters adjkztneogsmbcpwlqLKuC; k5 and t4 for some faces, vertices; r mirrors the next").required()
         .param(&P::planarize, "planarize", Unit::count, {0, 1000}, "sweeps that make the faces flatter afterwards");
     add_shared_parameters(definition);
-    registry.add({definition.keeps_euler()
+    registry.add(definition.keeps_euler()
                      .example("remesh.conway recipe=tkt planarize=100")
                      .cites("Conway, Burgiel & Goodman-Strauss 2008, ch. 21; Hart 1998")
-                     .run([operators](Scene& scene, const P& p, Context& context) { run_recipe(*operators, scene, p, context); })});
+                     .run([operators](Scene& scene, const P& p, Context& context) { run_recipe(*operators, scene, p, context); }));
 }
 
 } // namespace druse

@@ -49,7 +49,7 @@ void DooSabin::place(const OldMesh& old, const NewPoints& to, Progress& progress
     cut_corners(old, CornerCutter::doo_sabin, to.corner_point, progress);
 }
 
-void add_remesh_doo_sabin(RemeshRegistry& registry)
+void add_remesh_doo_sabin(Registry& registry)
 {
     auto doo_sabin = define_remeshing<DooSabin>("remesh.doo_sabin", "Shrink the faces and open a face on every edge and vertex");
     doo_sabin.example("remesh.doo_sabin iterations=2").cites("Doo & Sabin 1978");

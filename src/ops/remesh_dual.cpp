@@ -61,7 +61,7 @@ struct Join {
 
 } // namespace
 
-void add_remesh_dual(RemeshRegistry& registry)
+void add_remesh_dual(Registry& registry)
 {
     auto dual = define_remeshing<Dual>("remesh.dual", "Make a vertex of every face and a face of every vertex");
     dual.param(&Dual::polar, "polar", "put the vertices where the faces of a convex model become flat")

@@ -134,7 +134,7 @@ struct Meta {
 
 /// Registers an operator whose only parameter is the size of the inner face.
 template <class Kernel>
-void add_sized(RemeshRegistry& registry, std::string_view name, std::string_view help)
+void add_sized(Registry& registry, std::string_view name, std::string_view help)
 {
     auto definition = define_remeshing<Kernel>(std::string(name), std::string(help));
     definition.param(&Kernel::s, "s", Unit::ratio, between(0, 1), "size of the inner face, as a fraction")
@@ -145,7 +145,7 @@ void add_sized(RemeshRegistry& registry, std::string_view name, std::string_view
 
 } // namespace
 
-void add_remesh_inset(RemeshRegistry& registry)
+void add_remesh_inset(Registry& registry)
 {
     add_sized<Loft>(registry, "remesh.loft", "Put a smaller face inside each face, with a quad on each side");
     add_sized<Lace>(registry, "remesh.lace", "Put a smaller face inside each face, turned, with triangles around it");

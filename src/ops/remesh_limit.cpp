@@ -282,7 +282,7 @@ struct SubdivideLimit {
 
 } // namespace
 
-void add_remesh_limit(RemeshRegistry& registry)
+void add_remesh_limit(Registry& registry)
 {
     using P = SubdivideLimit;
     auto definition = define<P>("remesh.subdivide_limit", "Subdivide, and move the points to the surface that this goes to without end");

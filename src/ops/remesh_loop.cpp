@@ -45,7 +45,7 @@ void Loop::place(const OldMesh& old, const NewPoints& to, Progress& progress) co
     write_relaxed_vertices(old, weight_of_loop_neighbours, to.old_vertex);
 }
 
-void add_remesh_loop(RemeshRegistry& registry)
+void add_remesh_loop(Registry& registry)
 {
     auto loop = define_remeshing<Loop>("remesh.loop", "Divide each face at the middles of its sides, and smooth");
     loop.param(&Loop::smooth, "smooth", "move the old vertices and edge points; otherwise edges are halved").example("remesh.loop iterations=2").cites("Loop 1987");

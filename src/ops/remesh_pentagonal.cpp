@@ -85,7 +85,7 @@ struct PentagonPreserving {
 
 } // namespace
 
-void add_remesh_pentagonal(RemeshRegistry& registry)
+void add_remesh_pentagonal(Registry& registry)
 {
     auto pentagonal = define_remeshing<Pentagonal>("remesh.pentagonal", "Make a pentagon in each corner");
     pentagonal.param(&Pentagonal::t, "t", Unit::ratio, between(0, 0.5), "where edges are cut, as a fraction of their length from each end")

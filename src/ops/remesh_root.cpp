@@ -79,7 +79,7 @@ struct Chamfer {
 
 } // namespace
 
-void add_remesh_root(RemeshRegistry& registry)
+void add_remesh_root(Registry& registry)
 {
     auto root3 = define_remeshing<Root3>("remesh.sqrt3", "Put two triangles across every edge, and smooth");
     root3.param(&Root3::smooth, "smooth", "move the old vertices").example("remesh.sqrt3 iterations=2").cites("Kobbelt 2000");

@@ -93,7 +93,7 @@ void stellate(Scene& scene, const Stellation& p, Context& context)
 
 } // namespace
 
-void add_remesh_stellate(RemeshRegistry& registry)
+void add_remesh_stellate(Registry& registry)
 {
     auto stellation = define<Stellation>("remesh.stellate", "Put a pyramid on each face");
     stellation.param(&Stellation::height, "height", Unit::length, {-1e6, 1e6}, "of the pyramids")

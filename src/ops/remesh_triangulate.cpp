@@ -176,7 +176,7 @@ void triangulate(Scene& scene, const Triangulation& p, Context& context)
 
 } // namespace
 
-void add_remesh_triangulate(RemeshRegistry& registry)
+void add_remesh_triangulate(Registry& registry)
 {
     auto definition = define<Triangulation>("remesh.triangulate", "Cut faces into triangles");
     definition.param(&Triangulation::faces, "faces", "faces to cut")

@@ -165,7 +165,7 @@ void truncate(Scene& scene, const Truncation& p, Context& context)
 
 } // namespace
 
-void add_remesh_truncate(RemeshRegistry& registry)
+void add_remesh_truncate(Registry& registry)
 {
     auto truncation = define<Truncation>("remesh.truncate", "Cut off the vertices");
     truncation.param(&Truncation::t, "t", Unit::ratio, between(0, 0.5), "where edges are cut, as a fraction of their length from each end")

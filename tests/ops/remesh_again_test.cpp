@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Remesh, EveryKeptRemeshing, testing::ValuesIn(cases));
 TEST_P(EveryKeptRemeshing, PutsVerticesWhereAWholeRunDoes)
 {
     const Operator& op = ops_registry().get(GetParam().command);
-    const KeepRun keep = keep_run(op);
+    const KeepRun keep = op.keep;
     ASSERT_NE(keep, nullptr);
     Progress progress;
     for (const Input& input : {Input{"Dodecahedron", dodecahedron}, Input{"EditedTorus", edited_torus}})
@@ -88,11 +88,11 @@ TEST_P(EveryKeptRemeshing, IsNotKeptWhereMoreThanPositionsChanges)
     const auto plain = parameters_of(op, {});
     Progress progress;
     const Mesh old = cube();
-    const auto again = keep_run(op)(old, plain.get(), plain.get(), progress);
+    const auto again = op.keep(old, plain.get(), plain.get(), progress);
     std::vector<Point> points(made_of(old, op.name).vertex_limit());
     const auto expect_other_mesh = [&](const Arguments& arguments) {
         const auto other = parameters_of(op, arguments);
-        EXPECT_EQ(keep_run(op)(old, plain.get(), other.get(), progress), nullptr);
+        EXPECT_EQ(op.keep(old, plain.get(), other.get(), progress), nullptr);
         EXPECT_FALSE(again->place(other.get(), points, progress));
     };
     expect_other_mesh({{"iterations", "2"}});
@@ -105,7 +105,7 @@ TEST(KeptRemeshing, IsEveryOneThatTreatsAllFacesAlike)
 {
     for (const Operator& op : ops_registry().operators()) {
         const bool is_case = std::ranges::any_of(cases, [&](const Case& c) { return c.command == op.name; });
-        EXPECT_EQ(keep_run(op) != nullptr, is_case) << op.name;
+        EXPECT_EQ(op.keep != nullptr, is_case) << op.name;
         EXPECT_EQ(is_case, op.family() == "remesh" && op.name != "remesh.conway" && op.name != "remesh.triangulate" && op.name != "remesh.subdivide_limit") << op.name;
     }
 }
