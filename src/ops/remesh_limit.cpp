@@ -299,7 +299,7 @@ void add_remesh_limit(Registry& registry)
             scene.mesh.replace_with(limit_surface(scene.mesh, surface, context.progress));
             scene.selection.edit() = Selection();
         });
-    registry.add({definition});
+    registry.add(definition);
 }
 
 } // namespace druse

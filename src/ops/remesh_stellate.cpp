@@ -102,7 +102,7 @@ void add_remesh_stellate(Registry& registry)
         .example("remesh.stellate height=0.2")
         .cites("Conway, Burgiel & Goodman-Strauss 2008, ch. 21");
     add_shared_parameters(stellation);
-    registry.add({stellation.keeps_euler().run(stellate), keep_run_of<Stellate, Stellation>});
+    registry.add(stellation.keeps_euler().run(stellate).keeps_runs_by(keep_run_of<Stellate, Stellation>));
 
     auto star = define_remeshing<Star>("remesh.star", "Put a pyramid on each face, and one on each of its sides");
     star.param(&Star::offset, "offset", Unit::length, {-1e6, 1e6}, "how far the middles of the faces rise").example("remesh.star offset=0.3").cites(

@@ -186,7 +186,7 @@ void add_remesh_triangulate(Registry& registry)
         .example("remesh.triangulate method=center")
         .cites("Meisters 1975")
         .run(triangulate);
-    registry.add({definition});
+    registry.add(definition);
 }
 
 } // namespace druse

@@ -173,7 +173,7 @@ void add_remesh_truncate(Registry& registry)
         .example("remesh.truncate t=0.333333333333333")
         .cites("Akleman, Edmundson & Özener 2005");
     add_shared_parameters(truncation);
-    registry.add({truncation.keeps_euler().run(truncate), keep_run_of<Truncate, Truncation>});
+    registry.add(truncation.keeps_euler().run(truncate).keeps_runs_by(keep_run_of<Truncate, Truncation>));
 
     auto honeycomb = define_remeshing<Honeycomb>("remesh.honeycomb", "Turn and shrink the faces, and put one with twice as many sides as it has edges on every vertex");
     honeycomb.alias("remesh.zip").example("remesh.honeycomb").cites("Akleman & Srinivasan 2002");
