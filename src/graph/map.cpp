@@ -29,12 +29,12 @@ Graph polyp(const Graph& graph, const MapShape& shape)
 {
     Graph result{.vertices = graph.vertices, .edges = graph.edges};
     const auto at_rim = [&](double r) { return shape.height * (1.0 - (r - shape.rim) / shape.rim * ((r - shape.rim) / shape.rim)); };
-    if (shape.height_expr.empty()) {
+    if (!shape.height_expr) {
         for (Point& p : result.vertices) p.z = at_rim(std::hypot(p.x, p.y));
         return result;
     }
     try {
-        const Expression height(shape.height_expr);
+        const Expression height(*shape.height_expr);
         for (std::size_t v = 0; v < result.vertices.size(); ++v) {
             Point& p = result.vertices[v];
             try {
@@ -44,7 +44,7 @@ Graph polyp(const Graph& graph, const MapShape& shape)
             }
         }
     } catch (const CommandError& e) {
-        throw CommandError(fmt::format("height_expr={}: {}", shape.height_expr, e.what()));
+        throw CommandError(fmt::format("height_expr={}: {}", *shape.height_expr, e.what()));
     }
     return result;
 }

@@ -18,7 +18,7 @@ struct MapShape {
     double size = 1;                        // factor on the result
 
     double rim = 0.6, height = 0.6;         // polyp: the radius of its rim, and the height there
-    std::string height_expr{};              // polyp: z in x, y, r, t instead
+    std::optional<std::string> height_expr{}; // polyp: z in x, y, r, t instead
 
     int turns = 2;                          // helix: from −turns to turns
     HelixShape shape = HelixShape::sphere;

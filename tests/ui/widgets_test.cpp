@@ -10,12 +10,19 @@
 namespace druse::ui {
 namespace {
 
-TEST_F(Widgets, ThePanelHasARowForEveryControlOfEveryOperator)
+TEST_F(Widgets, ThePanelHasARowForEveryControlOfEveryOperatorThatCounts)
 {
     for (const Operator& op : all_operators().operators()) {
         session->choose(&op);
-        for (const Control& c : controls_of(op)) EXPECT_NE(window->parameters().row(c.parameter, c.place), nullptr) << op.name << " " << c.label;
+        for (const Control& c : controls_of(op))
+            EXPECT_EQ(window->parameters().row(c.parameter, c.place) != nullptr, session->arguments().counts(c.parameter)) << op.name << " " << c.label;
     }
+    // Of those that bend a tessellation, the ones that say what it is bent into.
+    choose("graph.map");
+    EXPECT_EQ(window->parameters().row("pitch"), nullptr);
+    session->set("to", "helix");
+    EXPECT_NE(window->parameters().row("pitch"), nullptr);
+    EXPECT_EQ(window->parameters().row("rim"), nullptr);
     session->choose(nullptr);
     EXPECT_EQ(window->parameters().row("angle"), nullptr);
 }
