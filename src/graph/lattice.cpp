@@ -3,6 +3,8 @@
 #include "dlfl/errors.h"
 #include "graph/clean_graph.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -166,7 +168,10 @@ Graph lattice(const LatticeShape& shape, Progress& progress)
     Box box;
     for (const Point& p : graph.vertices) box.add(p);
     const double scale = shape.bond / std::sqrt(shape.kind == Net::diamond ? 3.0 : 2.0);
-    for (Point& p : graph.vertices) p = scale * (p - box.center());
+    for (Point& p : graph.vertices) {
+        p = scale * (p - box.center());
+        if (!is_in_reach(p)) throw CommandError(fmt::format("bond={}: the net would reach beyond {}", shape.bond, largest_coordinate));
+    }
     return graph;
 }
 

@@ -1,18 +1,18 @@
 #include "graph/strut_thinning.h"
 
 #include "geom/predicates.h"
+#include "geom/sort_unique.h"
 #include "graph/strut_ball.h"
 #include "graph/strut_part.h"
 #include "graph/strut_rim.h"
 
-#include <algorithm>
 
 namespace druse {
 
 namespace {
 
 constexpr double step = 0.8;
-constexpr int most_steps = 32; // to less than a thousandth
+constexpr int most_steps = 32; // to less than a thousandth of what was asked for
 
 /// Makes single parts, in triangles.
 class PartMaker {
@@ -77,14 +77,17 @@ private:
 
 } // namespace
 
-void thin(const Graph& graph, const PartPair& pair, std::vector<double>& factors)
+void thin(const Graph& graph, std::span<const PartPair> pairs, std::vector<double>& factors)
 {
     const auto edges = static_cast<std::uint32_t>(graph.edges.size());
-    for (const std::uint32_t part : pair) {
-        if (part >= edges) factors[part - edges] *= step;
-        else
-            for (const std::uint32_t v : graph.edges[part]) factors[v] *= step;
-    }
+    std::vector<std::uint32_t> vertices;
+    for (const PartPair& pair : pairs)
+        for (const std::uint32_t part : pair) {
+            if (part >= edges) vertices.push_back(part - edges);
+            else vertices.insert(vertices.end(), graph.edges[part].begin(), graph.edges[part].end());
+        }
+    sort_unique(vertices);
+    for (const std::uint32_t v : vertices) factors[v] *= step;
 }
 
 bool thin_out(const Graph& graph, const Incidence& incidence, const StrutPlacer& placer, const StrutShape& shape, const std::vector<PartPair>& pairs,
@@ -105,7 +108,7 @@ bool thin_out(const Graph& graph, const Incidence& incidence, const StrutPlacer&
             if (meet) met.push_back(left[i]);
         }
         if (met.empty()) return true;
-        for (const PartPair& pair : met) thin(graph, pair, factors);
+        thin(graph, met, factors);
         std::swap(left, met);
     }
     return false;

@@ -192,7 +192,7 @@ void make_struts(Scene& scene, const Struts& p, Context& context)
     StrutContacts met = work->neighbours.contacts(made, work->pairs, context.progress);
     for (int round = 0; p.clearance == Clearance::thin && met.pairs > 0; ++round) { // caps, and struts that widen beside thinner balls
         if (round == most_rounds) refuse_to_part("thin");
-        for (const PartPair& pair : met.parts) thin(work->clean.graph, pair, work->factors);
+        thin(work->clean.graph, met.parts, work->factors);
         place_thinner(*work, context);
         made = make_surface(*work, p, context);
         met = work->neighbours.contacts(made, work->pairs, context.progress);

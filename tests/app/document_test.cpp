@@ -85,8 +85,8 @@ const Registry& troubled()
 }
 
 /// All of a document that could differ after a command that failed.
-struct Everything {
-    explicit Everything(const Document& d)
+struct WholeState {
+    explicit WholeState(const Document& d)
         : state(d), version(d.version()), done(d.history().done()), size(d.history().size()), bytes(d.history().bytes()), script(d.history().script())
     {
     }
@@ -94,7 +94,7 @@ struct Everything {
     std::uint64_t version;
     std::size_t done, size, bytes;
     std::vector<ScriptCommand> script;
-    friend bool operator==(const Everything&, const Everything&) = default;
+    friend bool operator==(const WholeState&, const WholeState&) = default;
 };
 
 class EveryShape : public testing::TestWithParam<NamedShape> {};
@@ -107,24 +107,24 @@ TEST_P(EveryShape, IsAsItWasToTheBitAfterACommandThatFails)
     document.apply("document.undo");
     document.apply("select.vertices vertices=all");
     document.apply("document.undo"); // a redo step that must survive
-    const Everything before(document);
+    const WholeState before(document);
 
     EXPECT_THROW(document.apply("trouble how=command"), CommandError);
-    EXPECT_EQ(Everything(document), before);
+    EXPECT_EQ(WholeState(document), before);
     EXPECT_THROW(document.apply("trouble how=input"), InputError);
-    EXPECT_EQ(Everything(document), before);
+    EXPECT_EQ(WholeState(document), before);
     EXPECT_THROW(document.apply("trouble how=cancelled"), Cancelled);
-    EXPECT_EQ(Everything(document), before);
+    EXPECT_EQ(WholeState(document), before);
     EXPECT_THROW(document.apply("trouble how=memory"), std::bad_alloc);
-    EXPECT_EQ(Everything(document), before);
+    EXPECT_EQ(WholeState(document), before);
     EXPECT_THROW(document.apply("trouble how=internal"), InternalError);
-    EXPECT_EQ(Everything(document), before);
+    EXPECT_EQ(WholeState(document), before);
     EXPECT_THROW(document.apply("trouble how=selection"), InternalError);
-    EXPECT_EQ(Everything(document), before);
+    EXPECT_EQ(WholeState(document), before);
     EXPECT_THROW(document.apply("trouble how=boldly"), CommandError);
-    EXPECT_EQ(Everything(document), before);
+    EXPECT_EQ(WholeState(document), before);
     EXPECT_THROW(document.apply("document.open file=there_is_none.obj"), InputError);
-    EXPECT_EQ(Everything(document), before);
+    EXPECT_EQ(WholeState(document), before);
     EXPECT_SOUND(document.scene().mesh);
 
     document.apply("document.redo");
@@ -150,11 +150,11 @@ TEST_P(EveryShape, ComesBackExactlyByUndoAndRedo)
 TEST_P(EveryShape, IsNotChangedByLooking)
 {
     Document document = document_of(troubled(), GetParam().make());
-    const Everything before(document);
+    const WholeState before(document);
     EXPECT_EQ(document.apply("look").output, "{}");
     document.apply("look meddle=true");
     EXPECT_THROW(document.apply("look meddle=true fail=true"), CommandError);
-    EXPECT_EQ(Everything(document), before);
+    EXPECT_EQ(WholeState(document), before);
 }
 
 INSTANTIATE_TEST_SUITE_P(Document, EveryShape, testing::ValuesIn(all_shapes()), shape_name<testing::TestParamInfo<NamedShape>>);
@@ -441,12 +441,12 @@ TEST(Document, StaysAsItWasIfAFileCannotBeOpened)
     Document document(all_operators());
     Progress progress;
     document.apply("make.cube");
-    const Everything before(document);
+    const WholeState before(document);
     EXPECT_THROW(document.open("there_is_none.obj", progress), InputError);
     EXPECT_THROW(document.open("there_is_none.druse", progress), InputError);
     progress.cancel();
     EXPECT_THROW(document.open(std::filesystem::path(DRUSE_MODELS) / "cube.obj", progress), Cancelled);
-    EXPECT_EQ(Everything(document), before);
+    EXPECT_EQ(WholeState(document), before);
 }
 
 } // namespace

@@ -13,7 +13,6 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
-const std::string models = DRUSE_MODELS;
 
 class Apply : public testing::Test {
 protected:

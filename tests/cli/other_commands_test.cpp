@@ -15,8 +15,6 @@ namespace {
 using namespace test;
 using Json = nlohmann::json;
 
-const std::string models = DRUSE_MODELS;
-
 void expect_error(const std::vector<std::string>& arguments, const std::string& line)
 {
     const Ended ended = druse(arguments);

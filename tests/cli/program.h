@@ -5,6 +5,8 @@
 
 namespace druse::test {
 
+inline const std::string models = DRUSE_MODELS; // the folder of models to open
+
 /// How a run of a program ended.
 struct Ended {
     int status = -1; // exit status; 128 + N after signal N

@@ -133,9 +133,9 @@ TEST(TriangleContact, SeesNeighboursFoldedOntoEachOther)
     expect_meet(false, floor_triangle, {Point(0, 0, 0), Point(-2, -1, 0), Point(2, 0, -1)});
 }
 
-class Source {
+class GridSource {
 public:
-    explicit Source(unsigned seed) : random_(seed) {}
+    explicit GridSource(unsigned seed) : random_(seed) {}
     int whole(int least, int most) { return std::uniform_int_distribution<int>(least, most)(random_); }
     double number() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
     Point on_grid(int size) { return Point(whole(0, size), whole(0, size), whole(0, size)); }
@@ -148,7 +148,7 @@ TEST(TriangleContact, AgreesWithRationalNumbersOnAGrid)
 {
     // So few places that all ways to touch, overlap and share come up.
     for (const int size : {1, 2, 3, 5}) {
-        Source source{unsigned(size)};
+        GridSource source{unsigned(size)};
         int met = 0, compared = 0, shared = 0;
         for (int i = 0; i < 6000; ++i) {
             Triangle a, b;
@@ -174,7 +174,7 @@ TEST(TriangleContact, AgreesWithRationalNumbersOnAGrid)
 TEST(TriangleContact, AgreesWithRationalNumbersBesideAPlane)
 {
     // Corners on a tilted plane, but for rounding: whether they are in it is in the last digit only.
-    Source source(9);
+    GridSource source(9);
     int met = 0, flat = 0;
     for (int i = 0; i < 4000; ++i) {
         const auto place = [&] {

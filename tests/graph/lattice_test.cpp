@@ -143,6 +143,17 @@ TEST(Lattice, IsCutToABallOfAnySize)
     EXPECT_THROW(lattice_of({.trim = Trim::ball, .size = 0.1}), CommandError);
 }
 
+TEST(Lattice, ReachesNoFartherThanNumbersDo)
+{
+    const auto with_bond = [](double bond) {
+        LatticeShape shape;
+        shape.bond = bond;
+        return shape;
+    };
+    EXPECT_NO_THROW(lattice_of(with_bond(1e37)));
+    for (const double bond : {1e38, 1e308}) EXPECT_THROW(lattice_of(with_bond(bond)), CommandError);
+}
+
 TEST(Lattice, CanBeCancelled)
 {
     Progress progress;

@@ -39,7 +39,7 @@ void expect_well_made(const Mesh& mesh)
     EXPECT_TRUE(builder.build() == mesh);
 }
 
-// --- solids -----------------------------------------------------------------------------------------------------------------------
+// --- regular_solids -----------------------------------------------------------------------------------------------------------------------
 
 struct Known {
     const char* name;
@@ -50,61 +50,61 @@ struct Known {
 };
 
 // Volumes: Coxeter 1973 and Johnson 1966, in closed form.
-const double s2 = std::sqrt(2.0), s3 = std::sqrt(3.0), s5 = std::sqrt(5.0);
-const std::vector<Known> solids{
-    {"tetrahedron", {4, 6, 4}, {{3, 4}}, s2 / 12},
+const double root2 = std::sqrt(2.0), root3 = std::sqrt(3.0), root5 = std::sqrt(5.0);
+const std::vector<Known> regular_solids{
+    {"tetrahedron", {4, 6, 4}, {{3, 4}}, root2 / 12},
     {"cube", {8, 12, 6}, {{4, 6}}, 1},
-    {"octahedron", {6, 12, 8}, {{3, 8}}, s2 / 3},
-    {"dodecahedron", {20, 30, 12}, {{5, 12}}, (15 + 7 * s5) / 4},
-    {"icosahedron", {12, 30, 20}, {{3, 20}}, 5 * (3 + s5) / 12},
-    {"truncated_tetrahedron", {12, 18, 8}, {{3, 4}, {6, 4}}, 23 * s2 / 12},
-    {"cuboctahedron", {12, 24, 14}, {{3, 8}, {4, 6}}, 5 * s2 / 3},
-    {"truncated_cube", {24, 36, 14}, {{3, 8}, {8, 6}}, (21 + 14 * s2) / 3},
-    {"truncated_octahedron", {24, 36, 14}, {{4, 6}, {6, 8}}, 8 * s2},
-    {"rhombicuboctahedron", {24, 48, 26}, {{3, 8}, {4, 18}}, (12 + 10 * s2) / 3},
-    {"truncated_cuboctahedron", {48, 72, 26}, {{4, 12}, {6, 8}, {8, 6}}, 22 + 14 * s2},
+    {"octahedron", {6, 12, 8}, {{3, 8}}, root2 / 3},
+    {"dodecahedron", {20, 30, 12}, {{5, 12}}, (15 + 7 * root5) / 4},
+    {"icosahedron", {12, 30, 20}, {{3, 20}}, 5 * (3 + root5) / 12},
+    {"truncated_tetrahedron", {12, 18, 8}, {{3, 4}, {6, 4}}, 23 * root2 / 12},
+    {"cuboctahedron", {12, 24, 14}, {{3, 8}, {4, 6}}, 5 * root2 / 3},
+    {"truncated_cube", {24, 36, 14}, {{3, 8}, {8, 6}}, (21 + 14 * root2) / 3},
+    {"truncated_octahedron", {24, 36, 14}, {{4, 6}, {6, 8}}, 8 * root2},
+    {"rhombicuboctahedron", {24, 48, 26}, {{3, 8}, {4, 18}}, (12 + 10 * root2) / 3},
+    {"truncated_cuboctahedron", {48, 72, 26}, {{4, 12}, {6, 8}, {8, 6}}, 22 + 14 * root2},
     {"snub_cube", {24, 60, 38}, {{3, 32}, {4, 6}}, 7.889477399975390},
-    {"icosidodecahedron", {30, 60, 32}, {{3, 20}, {5, 12}}, (45 + 17 * s5) / 6},
-    {"truncated_dodecahedron", {60, 90, 32}, {{3, 20}, {10, 12}}, 5 * (99 + 47 * s5) / 12},
-    {"truncated_icosahedron", {60, 90, 32}, {{5, 12}, {6, 20}}, (125 + 43 * s5) / 4},
-    {"rhombicosidodecahedron", {60, 120, 62}, {{3, 20}, {4, 30}, {5, 12}}, (60 + 29 * s5) / 3},
-    {"truncated_icosidodecahedron", {120, 180, 62}, {{4, 30}, {6, 20}, {10, 12}}, 95 + 50 * s5},
+    {"icosidodecahedron", {30, 60, 32}, {{3, 20}, {5, 12}}, (45 + 17 * root5) / 6},
+    {"truncated_dodecahedron", {60, 90, 32}, {{3, 20}, {10, 12}}, 5 * (99 + 47 * root5) / 12},
+    {"truncated_icosahedron", {60, 90, 32}, {{5, 12}, {6, 20}}, (125 + 43 * root5) / 4},
+    {"rhombicosidodecahedron", {60, 120, 62}, {{3, 20}, {4, 30}, {5, 12}}, (60 + 29 * root5) / 3},
+    {"truncated_icosidodecahedron", {120, 180, 62}, {{4, 30}, {6, 20}, {10, 12}}, 95 + 50 * root5},
     {"snub_dodecahedron", {60, 150, 92}, {{3, 80}, {5, 12}}, 37.616649962733363},
-    {"prism:3", {6, 9, 5}, {{3, 2}, {4, 3}}, s3 / 4},
+    {"prism:3", {6, 9, 5}, {{3, 2}, {4, 3}}, root3 / 4},
     {"prism:100", {200, 300, 102}, {{4, 100}, {100, 2}}, 25 / std::tan(pi / 100)},
-    {"antiprism:3", {6, 12, 8}, {{3, 8}}, s2 / 3},
+    {"antiprism:3", {6, 12, 8}, {{3, 8}}, root2 / 3},
     {"antiprism:100", {200, 400, 202}, {{3, 200}, {100, 2}}, 0},
-    {"pyramid:3", {4, 6, 4}, {{3, 4}}, s2 / 12},
-    {"pyramid:4", {5, 8, 5}, {{3, 4}, {4, 1}}, s2 / 6},
-    {"pyramid:5", {6, 10, 6}, {{3, 5}, {5, 1}}, (5 + s5) / 24},
-    {"cupola:3", {9, 15, 8}, {{3, 4}, {4, 3}, {6, 1}}, 5 / (3 * s2)},
-    {"cupola:4", {12, 20, 10}, {{3, 4}, {4, 5}, {8, 1}}, 1 + 2 * s2 / 3},
-    {"cupola:5", {15, 25, 12}, {{3, 5}, {4, 5}, {5, 1}, {10, 1}}, (5 + 4 * s5) / 6},
-    {"rotunda", {20, 35, 17}, {{3, 10}, {5, 6}, {10, 1}}, (45 + 17 * s5) / 12},
-    {"bipyramid:3", {5, 9, 6}, {{3, 6}}, s2 / 6},
-    {"bipyramid:4", {6, 12, 8}, {{3, 8}}, s2 / 3},
-    {"bipyramid:5", {7, 15, 10}, {{3, 10}}, (5 + s5) / 12},
-    {"elongated_pyramid:3", {7, 12, 7}, {{3, 4}, {4, 3}}, s3 / 4 + s2 / 12},
-    {"elongated_pyramid:4", {9, 16, 9}, {{3, 4}, {4, 5}}, 1 + s2 / 6},
+    {"pyramid:3", {4, 6, 4}, {{3, 4}}, root2 / 12},
+    {"pyramid:4", {5, 8, 5}, {{3, 4}, {4, 1}}, root2 / 6},
+    {"pyramid:5", {6, 10, 6}, {{3, 5}, {5, 1}}, (5 + root5) / 24},
+    {"cupola:3", {9, 15, 8}, {{3, 4}, {4, 3}, {6, 1}}, 5 / (3 * root2)},
+    {"cupola:4", {12, 20, 10}, {{3, 4}, {4, 5}, {8, 1}}, 1 + 2 * root2 / 3},
+    {"cupola:5", {15, 25, 12}, {{3, 5}, {4, 5}, {5, 1}, {10, 1}}, (5 + 4 * root5) / 6},
+    {"rotunda", {20, 35, 17}, {{3, 10}, {5, 6}, {10, 1}}, (45 + 17 * root5) / 12},
+    {"bipyramid:3", {5, 9, 6}, {{3, 6}}, root2 / 6},
+    {"bipyramid:4", {6, 12, 8}, {{3, 8}}, root2 / 3},
+    {"bipyramid:5", {7, 15, 10}, {{3, 10}}, (5 + root5) / 12},
+    {"elongated_pyramid:3", {7, 12, 7}, {{3, 4}, {4, 3}}, root3 / 4 + root2 / 12},
+    {"elongated_pyramid:4", {9, 16, 9}, {{3, 4}, {4, 5}}, 1 + root2 / 6},
     {"elongated_pyramid:5", {11, 20, 11}, {{3, 5}, {4, 5}, {5, 1}}, 0},
     {"gyroelongated_pyramid:4", {9, 20, 13}, {{3, 12}, {4, 1}}, 0},
-    {"gyroelongated_pyramid:5", {11, 25, 16}, {{3, 15}, {5, 1}}, (25 + 9 * s5) / 24},
-    {"elongated_cupola:3", {15, 27, 14}, {{3, 4}, {4, 9}, {6, 1}}, 5 * s2 / 6 + 3 * s3 / 2},
-    {"elongated_cupola:4", {20, 36, 18}, {{3, 4}, {4, 13}, {8, 1}}, 3 + 8 * s2 / 3},
+    {"gyroelongated_pyramid:5", {11, 25, 16}, {{3, 15}, {5, 1}}, (25 + 9 * root5) / 24},
+    {"elongated_cupola:3", {15, 27, 14}, {{3, 4}, {4, 9}, {6, 1}}, 5 * root2 / 6 + 3 * root3 / 2},
+    {"elongated_cupola:4", {20, 36, 18}, {{3, 4}, {4, 13}, {8, 1}}, 3 + 8 * root2 / 3},
     {"elongated_cupola:5", {25, 45, 22}, {{3, 5}, {4, 15}, {5, 1}, {10, 1}}, 0},
     {"gyroelongated_cupola:3", {15, 33, 20}, {{3, 16}, {4, 3}, {6, 1}}, 0},
     {"gyroelongated_cupola:4", {20, 44, 26}, {{3, 20}, {4, 5}, {8, 1}}, 0},
     {"gyroelongated_cupola:5", {25, 55, 32}, {{3, 25}, {4, 5}, {5, 1}, {10, 1}}, 0},
-    {"orthobicupola:3", {12, 24, 14}, {{3, 8}, {4, 6}}, 5 * s2 / 3},
-    {"orthobicupola:4", {16, 32, 18}, {{3, 8}, {4, 10}}, 2 + 4 * s2 / 3},
-    {"orthobicupola:5", {20, 40, 22}, {{3, 10}, {4, 10}, {5, 2}}, (5 + 4 * s5) / 3},
-    {"gyrobicupola:3", {12, 24, 14}, {{3, 8}, {4, 6}}, 5 * s2 / 3},
-    {"gyrobicupola:4", {16, 32, 18}, {{3, 8}, {4, 10}}, 2 + 4 * s2 / 3},
-    {"gyrobicupola:5", {20, 40, 22}, {{3, 10}, {4, 10}, {5, 2}}, (5 + 4 * s5) / 3},
+    {"orthobicupola:3", {12, 24, 14}, {{3, 8}, {4, 6}}, 5 * root2 / 3},
+    {"orthobicupola:4", {16, 32, 18}, {{3, 8}, {4, 10}}, 2 + 4 * root2 / 3},
+    {"orthobicupola:5", {20, 40, 22}, {{3, 10}, {4, 10}, {5, 2}}, (5 + 4 * root5) / 3},
+    {"gyrobicupola:3", {12, 24, 14}, {{3, 8}, {4, 6}}, 5 * root2 / 3},
+    {"gyrobicupola:4", {16, 32, 18}, {{3, 8}, {4, 10}}, 2 + 4 * root2 / 3},
+    {"gyrobicupola:5", {20, 40, 22}, {{3, 10}, {4, 10}, {5, 2}}, (5 + 4 * root5) / 3},
 };
 
 class EveryBuiltInSolid : public testing::TestWithParam<Known> {};
-INSTANTIATE_TEST_SUITE_P(Make, EveryBuiltInSolid, testing::ValuesIn(solids), [](const auto& p) {
+INSTANTIATE_TEST_SUITE_P(Make, EveryBuiltInSolid, testing::ValuesIn(regular_solids), [](const auto& p) {
     std::string name = p.param.name;
     std::ranges::replace(name, ':', '_');
     return name;
@@ -135,7 +135,7 @@ TEST_P(EveryBuiltInSolid, HasRegularFacesAndUnitEdges)
 TEST(MakeSolid, KnowsNoOthersThanTheseAndTheirFamilies)
 {
     std::set<std::string> tested, named;
-    for (const Known& k : solids) tested.insert(std::string(k.name).substr(0, std::string(k.name).find(':')));
+    for (const Known& k : regular_solids) tested.insert(std::string(k.name).substr(0, std::string(k.name).find(':')));
     for (const std::string& name : solid_names()) named.insert(name.substr(0, name.find(':')));
     EXPECT_EQ(tested, named);
 }

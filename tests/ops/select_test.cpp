@@ -159,9 +159,9 @@ TEST(SelectLoop, EndsWhereAVertexHasNotFourEdges)
     // From (2, 2) to (3, 2) straight on as far as the rim, whose vertices have three edges.
     run(scene, "select.loop", {{"edge", "14~15"}});
     Ids expected;
-    for (const std::uint32_t x : {12u, 13u, 14u, 15u, 16u}) {
+    for (const std::uint32_t from : {12u, 13u, 14u, 15u, 16u}) {
         Scene one = scene;
-        run(one, "select.edges", {{"edges", std::to_string(x) + "~" + std::to_string(x + 1)}});
+        run(one, "select.edges", {{"edges", std::to_string(from) + "~" + std::to_string(from + 1)}});
         expected.push_back(one.selection->edges[0].index);
     }
     std::ranges::sort(expected);

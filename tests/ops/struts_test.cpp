@@ -167,6 +167,23 @@ TEST(Struts, SayAndColourWhereTheyCrossOrAreMadeThinner)
     EXPECT_EQ(crossings(squares), 0u);
 }
 
+TEST(Struts, AreThinnedOnceARoundWhateverManyTheyMeet)
+{
+    // A beam over twenty bars, which it nearly clears: one step is enough for all of them.
+    Graph grid;
+    const auto bar = [&](const Point& from, const Point& to) {
+        const auto first = static_cast<std::uint32_t>(grid.vertices.size());
+        grid.vertices.insert(grid.vertices.end(), {from, to});
+        grid.edges.push_back({first, first + 1});
+    };
+    bar({-1, 0, 0.19}, {20, 0, 0.19});
+    for (int i = 0; i < 20; ++i) bar({double(i), -1, 0}, {double(i), 1, 0});
+    Scene scene = scene_of(grid);
+    EXPECT_EQ(notes(scene, "graph.struts", {{"radius", "0.1"}, {"scale", "absolute"}, {"sides", "32"}, {"clearance", "thin"}}),
+              Notes{"42 vertices thinned, so that nothing meets, least to 0.8"});
+    EXPECT_EQ(crossings(scene), 0u);
+}
+
 TEST(Struts, MeetThemselvesNowhereWhenThinned)
 {
     int crossed = 0;

@@ -19,7 +19,7 @@ Colour by_group(int group)
     return group == 0 ? Colour{204, 204, 204} : colour_from_hsv(0.618 * group, 0.62, 0.93);
 }
 
-Mesh coloured(Mesh mesh)
+Mesh in_colours(Mesh mesh)
 {
     for (const Face f : mesh.faces()) mesh.set_group(f, static_cast<int>(f.index % 4));
     return mesh;
@@ -60,11 +60,11 @@ TEST(Still, LooksAsItDid)
     options.width = 200;
     options.height = 150;
     options.groups = options.edges = true;
-    expect_like(draw_still(coloured(dodecahedron()), by_group, options), "dodecahedron");
+    expect_like(draw_still(in_colours(dodecahedron()), by_group, options), "dodecahedron");
     options.view = *view_from_text("30,40");
     options.shading = Style::Shading::smooth;
     options.transparent = true;
-    expect_like(draw_still(coloured(torus(24, 12)), by_group, options), "torus");
+    expect_like(draw_still(in_colours(torus(24, 12)), by_group, options), "torus");
     options = {};
     options.width = 150;
     options.height = 120;
