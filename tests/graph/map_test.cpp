@@ -27,7 +27,7 @@ Graph mapped(const Graph& graph, const MapShape& shape, const Graph& solid = {})
     return map_disk(graph, shape, solid, notes, progress);
 }
 
-std::string complaint(const Graph& graph, const MapShape& shape, const Graph& solid = {})
+std::string complaint_of_map(const Graph& graph, const MapShape& shape, const Graph& solid = {})
 {
     try {
         mapped(graph, shape, solid);
@@ -148,10 +148,10 @@ TEST(MapDisk, SweepsAlongAKnotWithThreefoldSymmetry)
     const Graph other = map_disk(disk, {.to = MapTo::knot, .cycles = 8, .rho = 0.83}, {}, notes, progress);
     EXPECT_GT(asymmetry(other, 2 * pi / 3), 1e-3);
     EXPECT_EQ(notes, (std::vector<std::string>{"cycles=8 is no multiple of 3, so the knot is not the same after a third of a turn"}));
-    EXPECT_EQ(complaint(disk, {.to = MapTo::knot, .rho = 0.84}), "rho=0.84: expected less than 0.8316, or the tube would meet itself; force=true allows that");
-    EXPECT_EQ(complaint(disk, {.to = MapTo::knot, .rho = 0.84, .force = true}), "(none)");
-    EXPECT_EQ(complaint(disk, {.to = MapTo::knot, .minor = 2}), "minor=2: expected less than major=2");
-    EXPECT_EQ(complaint(disk, {.to = MapTo::torus, .rho = 1.6}), "rho=1.6: expected less than major=1.6, or the tube would meet itself");
+    EXPECT_EQ(complaint_of_map(disk, {.to = MapTo::knot, .rho = 0.84}), "rho=0.84: expected less than 0.8316, or the tube would meet itself; force=true allows that");
+    EXPECT_EQ(complaint_of_map(disk, {.to = MapTo::knot, .rho = 0.84, .force = true}), "(none)");
+    EXPECT_EQ(complaint_of_map(disk, {.to = MapTo::knot, .minor = 2}), "minor=2: expected less than major=2");
+    EXPECT_EQ(complaint_of_map(disk, {.to = MapTo::torus, .rho = 1.6}), "rho=1.6: expected less than major=1.6, or the tube would meet itself");
 }
 
 TEST(MapDisk, PutsSectorsInPlaceOfEdges)
@@ -176,29 +176,29 @@ TEST(MapDisk, PutsSectorsInPlaceOfEdges)
 
 TEST(MapDisk, RefusesWhatHasNotTheCentreItNeeds)
 {
-    EXPECT_EQ(complaint(octahedron(), {}), "expected a tessellation of the disk, as graph.tess makes one; a file keeps only its points and lines");
-    EXPECT_EQ(complaint(mapped(tess({}), {}), {}), "expected a tessellation of the disk, as graph.tess makes one; a file keeps only its points and lines");
-    EXPECT_EQ(complaint(tess({.model = DiskModel::halfplane}), {}), "expected a tessellation of the disk, as graph.tess makes one; a file keeps only its points and lines");
+    EXPECT_EQ(complaint_of_map(octahedron(), {}), "expected a tessellation of the disk, as graph.tess makes one; a file keeps only its points and lines");
+    EXPECT_EQ(complaint_of_map(mapped(tess({}), {}), {}), "expected a tessellation of the disk, as graph.tess makes one; a file keeps only its points and lines");
+    EXPECT_EQ(complaint_of_map(tess({.model = DiskModel::halfplane}), {}), "expected a tessellation of the disk, as graph.tess makes one; a file keeps only its points and lines");
     for (const MapTo to : {MapTo::helix, MapTo::torus, MapTo::knot, MapTo::polyhedron}) {
-        EXPECT_EQ(complaint(tess({.center = Disk::Center::vertex}), {.to = to}, octahedron()),
+        EXPECT_EQ(complaint_of_map(tess({.center = Disk::Center::vertex}), {.to = to}, octahedron()),
                   "expected a face at the centre, not a vertex; graph.tess with center=face or face:N makes one");
-        EXPECT_EQ(complaint(tess({.center = Disk::Center::edge}), {.to = to}, octahedron()),
+        EXPECT_EQ(complaint_of_map(tess({.center = Disk::Center::edge}), {.to = to}, octahedron()),
                   "expected a face at the centre, not an edge; graph.tess with center=face or face:N makes one");
-        EXPECT_EQ(complaint(tess({.shift_x = 0.1}), {.to = to}, octahedron()), "expected a face at the centre; the tessellation was shifted away from it");
+        EXPECT_EQ(complaint_of_map(tess({.shift_x = 0.1}), {.to = to}, octahedron()), "expected a face at the centre; the tessellation was shifted away from it");
     }
-    EXPECT_EQ(complaint(tess({.config = {5, 3, 4, 3, 3}}), {.to = MapTo::polyhedron}, octahedron()),
+    EXPECT_EQ(complaint_of_map(tess({.config = {5, 3, 4, 3, 3}}), {.to = MapTo::polyhedron}, octahedron()),
               "expected mirror rays through the corners of the face at the centre; this face of 5 sides has none, or the tessellation is chiral");
-    EXPECT_EQ(complaint(tess({.config = {7, 6, 6}, .center_number = 6}), {.to = MapTo::polyhedron}, octahedron()),
+    EXPECT_EQ(complaint_of_map(tess({.config = {7, 6, 6}, .center_number = 6}), {.to = MapTo::polyhedron}, octahedron()),
               "expected mirror rays through the corners of the face at the centre; this face of 6 sides has none, or the tessellation is chiral");
-    EXPECT_EQ(complaint(tess({.center = Disk::Center::vertex, .layers = 0}), {}), "nothing is left of the graph: it has no edges there");
+    EXPECT_EQ(complaint_of_map(tess({.center = Disk::Center::vertex, .layers = 0}), {}), "nothing is left of the graph: it has no edges there");
 }
 
 TEST(MapDisk, SaysWhereAFormulaHasNoValue)
 {
-    EXPECT_EQ(complaint(tess({.center = Disk::Center::vertex}), {.to = MapTo::polyp, .height_expr = "log(r)"}),
+    EXPECT_EQ(complaint_of_map(tess({.center = Disk::Center::vertex}), {.to = MapTo::polyp, .height_expr = "log(r)"}),
               "height_expr=log(r): log(0) is not a finite number, at vertex 0 (0, 0)");
-    EXPECT_EQ(complaint(tess({}), {.to = MapTo::polyp, .height_expr = "2*"}), "height_expr=2*: expected a value at the end");
-    EXPECT_EQ(complaint(tess({}), {.size = 1e39}), "vertex 0 would lie beyond 1e+38");
+    EXPECT_EQ(complaint_of_map(tess({}), {.to = MapTo::polyp, .height_expr = "2*"}), "height_expr=2*: expected a value at the end");
+    EXPECT_EQ(complaint_of_map(tess({}), {.size = 1e39}), "vertex 0 would lie beyond 1e+38");
 }
 
 } // namespace
