@@ -1,0 +1,27 @@
+#pragma once
+
+#include "tile/height_field.h"
+#include "tile/layered_tile.h"
+
+#include <span>
+#include <vector>
+
+namespace druse {
+
+/// What a cutter cuts out of the relief of a layer.
+struct Carving {
+    HeightField field;                        // its first points are those of the cutter, at the very same places
+    std::vector<std::vector<std::uint32_t>> rim; // below each side of the cutter: the points on it, both corners among them
+};
+
+/// The relief of the layer of `tile` as `carried` brings it, cut out along a polygon: the height at x is layer_height(inverse(carried)(x)). All edges of the relief that
+/// lie inside are edges of the field.
+///
+/// Points of the relief within weld() of a corner or side of the cutter are moved there, and edges of it within weld() of a corner run through that; from then on exact signs decide, in a
+/// Pane of what lies along the cutter. What lies farther inside is taken as it is. Points that copies of the tile have in common are one point, with the same digits.
+/// Precondition: `cutter` is simple and anticlockwise; its corners are weld() apart.
+/// Cost: linear in the triangles that the cutter covers, with a large factor only for those along its sides.
+/// Source: Howison & Séquin 2009, section 2.2; here copies are found by their boxes instead of by a walk.
+Carving carve(const LayeredTile& tile, std::span<const Point2> cutter, const Isometry& carried);
+
+} // namespace druse

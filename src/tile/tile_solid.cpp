@@ -1,0 +1,137 @@
+#include "tile/tile_solid.h"
+
+#include "tile/tile_inset.h"
+#include "tile/tile_stack.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace druse {
+
+namespace {
+
+/// The sides of the outline, each as a chain of two points.
+std::vector<std::vector<std::uint32_t>> plain_rim(std::uint32_t count)
+{
+    std::vector<std::vector<std::uint32_t>> rim;
+    for (std::uint32_t k = 0; k < count; ++k) rim.push_back({k, k + 1 == count ? 0 : k + 1});
+    return rim;
+}
+
+void raise(HeightField& field, double by)
+{
+    for (Point& p : field.points) p.z += by;
+}
+
+/// Twice the volume over the plane, times three.
+double sixfold_volume(const HeightField& field)
+{
+    double sum = 0;
+    for (const auto& t : field.triangles) {
+        const Point &a = field.points[t[0]], &b = field.points[t[1]], &c = field.points[t[2]];
+        const Point2 u(b - a), v(c - a);
+        sum += (u.x * v.y - u.y * v.x) * (a.z + b.z + c.z);
+    }
+    return sum;
+}
+
+/// Moves each point away from the other side so far that every triangle moves by `by` along its normal, or more.
+void part(HeightField& field, double by)
+{
+    const double least = std::cos(75.0 * std::numbers::pi / 180.0);
+    std::vector<double> move(field.points.size(), by);
+    for (const auto& t : field.triangles) {
+        const Point &a = field.points[t[0]], &b = field.points[t[1]], &c = field.points[t[2]];
+        const Vector normal = unit(glm::cross(b - a, c - a), 0.0, Vector(0, 0, 1));
+        for (const std::uint32_t v : t) move[v] = std::max(std::abs(move[v]), std::abs(by) / std::max(normal.z, least)) * (by < 0 ? -1.0 : 1.0);
+    }
+    for (std::size_t i = 0; i < move.size(); ++i) field.points[i].z += move[i];
+}
+
+} // namespace
+
+int member_count(const LayeredTile& tile)
+{
+    const auto members = stack_members(tile.aspects(), tile.lattice(), tile.design().stack);
+    return 1 + *std::max_element(members.begin(), members.end());
+}
+
+int aspect_of_member(const LayeredTile& tile, int member)
+{
+    const auto members = stack_members(tile.aspects(), tile.lattice(), tile.design().stack);
+    const auto found = std::find(members.begin(), members.end(), member);
+    if (found == members.end()) throw CommandError(fmt::format("member={}: this stack has {} different solids, from 0 on", member, member_count(tile)));
+    return static_cast<int>(found - members.begin());
+}
+
+TileSolid make_solid(const LayeredTile& tile, TileBottom bottom, int aspect, double clearance)
+{
+    if (!tile.is_extruded()) throw TileRefusal(TileRefusal::Reason::phase, "a solid comes after tile.extrude");
+    if (aspect < 0 || aspect >= tile.type().aspects()) throw CommandError(fmt::format("aspect={}: {} has {} aspects, from 0 on", aspect, tile.type().name(), tile.type().aspects()));
+    TileSolid solid;
+    const auto below = inverse(stack_motion(tile.design().stack) * tile.aspects()[aspect]);
+    if (clearance > 0) {
+        const std::vector<Point2> cutter = inset(tile.outline().positions(), 0.5 * clearance, tile.weld());
+        if (cutter.empty()) throw TileRefusal(TileRefusal::Reason::vanishes, fmt::format("clearance {} leaves nothing of the tile", clearance));
+        Carving top = carve(tile, cutter, {});
+        solid.top = std::move(top.field);
+        solid.top_rim = std::move(top.rim);
+        Carving under = carve(tile, cutter, bottom == TileBottom::carved ? below : Isometry{});
+        solid.bottom = std::move(under.field);
+        solid.bottom_rim = std::move(under.rim);
+    } else {
+        solid.top = tile.surface();
+        solid.top_rim = plain_rim(static_cast<std::uint32_t>(tile.outline_count()));
+        if (bottom == TileBottom::carved && tile.design().stack.mode != TileStack::Mode::column) {
+            Carving under = carve(tile, tile.outline().positions(), below);
+            solid.bottom = std::move(under.field);
+            solid.bottom_rim = std::move(under.rim);
+        } else {
+            solid.bottom = solid.top;
+            solid.bottom_rim = solid.top_rim;
+        }
+    }
+    if (bottom == TileBottom::flat)
+        for (Point& p : solid.bottom.points) p.z = 0;
+    raise(solid.top, tile.thickness());
+    if (clearance > 0) {
+        part(solid.top, -0.5 * clearance);
+        part(solid.bottom, 0.5 * clearance);
+    }
+    solid.thinnest = thinnest(solid.top, solid.bottom);
+    return solid;
+}
+
+double volume(const TileSolid& solid) { return (sixfold_volume(solid.top) - sixfold_volume(solid.bottom)) / 6.0; }
+
+void add_solid(MeshBuilder& builder, const TileSolid& solid, const SolidPlace& place, const std::array<int, 3>& groups)
+{
+    const std::uint32_t first = builder.vertex_count(), below = first + static_cast<std::uint32_t>(solid.top.points.size());
+    for (const HeightField* field : {&solid.top, &solid.bottom})
+        for (const Point& p : field->points) builder.add_vertex(Point(place.motion(Point2(p)), p.z + place.up));
+    const bool mirrored = reflects(place.motion);
+    std::vector<std::uint32_t> face;
+    const auto add = [&](int group) {
+        if (mirrored) std::reverse(face.begin() + 1, face.end());
+        builder.add_face(face, group);
+    };
+    for (const auto& t : solid.top.triangles) {
+        face.assign({first + t[0], first + t[1], first + t[2]});
+        add(groups[0]);
+    }
+    for (const auto& t : solid.bottom.triangles) {
+        face.assign({below + t[0], below + t[2], below + t[1]});
+        add(groups[1]);
+    }
+    for (std::size_t k = 0; k < solid.top_rim.size(); ++k) {
+        face.clear();
+        for (const std::uint32_t v : solid.bottom_rim[k]) face.push_back(below + v);
+        for (std::size_t i = solid.top_rim[k].size(); i-- > 0;) face.push_back(first + solid.top_rim[k][i]);
+        add(groups[2]);
+    }
+}
+
+} // namespace druse

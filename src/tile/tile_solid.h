@@ -1,0 +1,50 @@
+#pragma once
+
+#include "dlfl/mesh_builder.h"
+#include "tile/carve.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace druse {
+
+/// What the bottom of a tile is: the top of the layer below, its own top (which fills columns), or flat (which fills nothing, but prints well).
+enum class TileBottom { carved, column, flat };
+
+/// Face groups of a solid.
+inline constexpr int top_group = 1, bottom_group = 2, wall_group = 3;
+
+/// A layered tile as a solid: two reliefs over one polygon, and a wall below each of its sides. In the tile frame, z from the layer's own plane.
+struct TileSolid {
+    HeightField top, bottom;
+    std::vector<std::vector<std::uint32_t>> top_rim, bottom_rim; // over and below each side of the polygon, both corners among them
+    Thinnest thinnest;
+
+    std::size_t vertices() const { return top.points.size() + bottom.points.size(); }
+    std::size_t faces() const { return top.triangles.size() + bottom.triangles.size() + top_rim.size(); }
+};
+
+/// The aspect that stands for a solid of the stack: of a free stack, the first one with that member. @throws CommandError where there is none
+int aspect_of_member(const LayeredTile& tile, int member);
+int member_count(const LayeredTile& tile);
+
+/// The solid of the tile in an aspect, moved back into the tile frame. It may be pierced: see thinnest.
+/// With a clearance, joints between solids are that wide, half of it taken from each: the outline shrinks, and top and bottom move apart; steeper than 75° counts
+/// as 75°.
+/// @throws TileRefusal phase before extrude(), vanishes where the clearance leaves nothing
+TileSolid make_solid(const LayeredTile& tile, TileBottom bottom = TileBottom::carved, int aspect = 0, double clearance = 0);
+
+/// ∫ over the region of the top minus that of the bottom: the volume, also where the top pierces the bottom.
+double volume(const TileSolid& solid);
+
+/// Where a solid goes: a motion in the plane, then up.
+struct SolidPlace {
+    Isometry motion;
+    double up = 0;
+};
+
+/// Adds the solid to a mesh. V = Vt + Vb, F = Tt + Tb + sides, genus 0; a reflection gives the mirror image, still turned outside out.
+/// `groups`: of top, bottom and walls.
+void add_solid(MeshBuilder& builder, const TileSolid& solid, const SolidPlace& place, const std::array<int, 3>& groups = {top_group, bottom_group, wall_group});
+
+} // namespace druse
