@@ -2,6 +2,7 @@
 
 #include "geom/ear_clipping.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace druse {
@@ -17,11 +18,33 @@ const std::vector<std::array<Corner, 3>>& Triangulator::triangles(const Mesh& me
     } else if (corners_.size() == 4) {
         cut_quad(mesh);
     } else {
+        const bool backward = order_by_ids(mesh);
         flatten(mesh);
         clip_ears(flat_, cut_);
-        for (const auto& t : cut_) triangles_.push_back({corners_[t[0]], corners_[t[1]], corners_[t[2]]});
+        for (const auto& t : cut_) triangles_.push_back({corners_[t[0]], corners_[t[backward ? 2 : 1]], corners_[t[backward ? 1 : 2]]});
     }
     return triangles_;
+}
+
+/// Puts the lowest vertex first, and after it the higher one of its neighbours, or of theirs where these are the same. If the lowest one comes
+/// twice the start corner is first. True if the corners then run against the face.
+bool Triangulator::order_by_ids(const Mesh& mesh)
+{
+    const std::size_t n = corners_.size();
+    const auto id = [&](std::size_t k) { return mesh.vertex(corners_[k < n ? k : k - n]).index; };
+    std::size_t first = 0;
+    bool twice = false;
+    for (std::size_t k = 1; k < n; ++k) {
+        twice = id(k) == id(first) || (twice && id(k) > id(first));
+        if (id(k) < id(first)) first = k;
+    }
+    if (twice) first = 0;
+    std::size_t k = 1;
+    while (2 * k < n && id(first + k) == id(first + n - k)) ++k;
+    const bool backward = id(first + k) < id(first + n - k);
+    std::ranges::rotate(corners_, corners_.begin() + std::ptrdiff_t(first));
+    if (backward) std::reverse(corners_.begin() + 1, corners_.end());
+    return backward;
 }
 
 void Triangulator::cut_quad(const Mesh& mesh)

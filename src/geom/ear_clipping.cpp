@@ -13,6 +13,13 @@ using Ear = std::array<std::uint32_t, 3>;
 
 constexpr double sliver = 1e-10; // quality of a triangle that has an area from rounding only
 
+/// Qualities that differ by rounding only shall be no choice, so they are compared as multiples of 2⁻³⁰.
+double coarse(double quality)
+{
+    constexpr double unit = 0x1.8p22; // numbers of this size have no finer digits
+    return (quality + unit) - unit;
+}
+
 /// Twice the signed area of a triangle: positive if it runs counter-clockwise.
 double cross(const Point2& a, const Point2& b, const Point2& c)
 {
@@ -152,7 +159,7 @@ EarClipper::Entry EarClipper::entry(std::uint32_t i)
                       : quality < -sliver                ? Kind::reflex
                       : glm::dot(b.at - p, q - b.at) > 0 ? Kind::straight
                                                          : Kind::spike;
-    return {kind, quality, i, b.version};
+    return {kind, coarse(quality), i, b.version};
 }
 
 void EarClipper::push(const Entry& e)

@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <random>
+#include <set>
+#include <utility>
 
 namespace druse::test {
 namespace {
@@ -115,6 +117,68 @@ TEST(Triangulator, StaysInsideAConcaveFaceInAnyPlane)
         }
         EXPECT_NEAR(total, area(mesh, Face(0)), 1e-9);
     }
+}
+
+/// The sides that run across the faces of a two-sided polygon, face by face, as vertices.
+std::array<std::set<std::pair<std::uint32_t, std::uint32_t>>, 2> diagonals(const Mesh& mesh)
+{
+    Triangulator triangulator;
+    std::array<std::set<std::pair<std::uint32_t, std::uint32_t>>, 2> found;
+    for (const std::uint32_t f : {0u, 1u})
+        for (const auto& t : triangulator.triangles(mesh, Face(f)))
+            for (std::size_t i = 0; i < 3; ++i)
+                if (const Corner a = t[i], b = t[(i + 1) % 3]; mesh.next(a) != b) found[f].insert(std::minmax(mesh.vertex(a).index, mesh.vertex(b).index));
+    return found;
+}
+
+TEST(Triangulator, CutsAFaceAlikeFromBothSidesAndFromAnyCorner)
+{
+    // Warped rings, so that it matters along which diagonals: regular ones with heights in turn, and stars, whose ears come in sets of equals.
+    for (const double dent : {1.0, 0.4})
+        for (int n = 4; n <= 14; ++n) {
+            std::vector<Point> points;
+            for (int i = 0; i < n; ++i) {
+                const double a = 2 * M_PI * i / n + 0.1, r = i % 2 == 0 ? 1.0 : dent;
+                points.emplace_back(r * std::cos(a), r * std::sin(a), 0.1 * (i % 3));
+            }
+            Mesh mesh = two_sided(points);
+            const auto first = diagonals(mesh);
+            EXPECT_EQ(first[0].size(), std::size_t(n - 3));
+            EXPECT_EQ(first[0], first[1]) << n << " sides, " << dent;
+            for (int start = 1; start < n; ++start) {
+                mesh.set_start(mesh.corner(Face(1), start));
+                EXPECT_EQ(diagonals(mesh), first) << n << " sides from corner " << start;
+            }
+        }
+}
+
+TEST(Triangulator, CutsARegularStarAlikeHoweverItLies)
+{
+    // All its points are equal but for rounding.
+    const auto star = [](double turn) {
+        std::vector<Point> points;
+        for (int i = 0; i < 10; ++i) {
+            const double a = M_PI * i / 5 + turn, r = i % 2 == 0 ? 1.0 : 0.5;
+            points.emplace_back(r * std::cos(a), r * std::sin(a), 0.05 * (i % 2));
+        }
+        return diagonals(two_sided(points))[0];
+    };
+    const auto first = star(0);
+    for (int i = 1; i < 200; ++i) EXPECT_EQ(star(0.0314 * i), first) << i;
+}
+
+TEST(Triangulator, CutsARingThatGoesTwiceThroughAVertex)
+{
+    // The one face around a tree has each inner vertex as often as it has edges.
+    Mesh mesh;
+    const Vertex hub = mesh.create_vertex({0, 0, 0});
+    for (int i = 0; i < 5; ++i) {
+        const Vertex leaf = mesh.create_vertex({std::cos(i), std::sin(i), 0.1 * i});
+        mesh.insert_edge(mesh.corner(hub), mesh.corner(leaf));
+    }
+    mesh.compact();
+    Triangulator triangulator;
+    EXPECT_EQ(triangulator.triangles(mesh, Face(0)).size(), 8u);
 }
 
 TEST(Triangulator, CutsTheBorderOfAGridWithoutFlatTriangles)
