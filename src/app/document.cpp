@@ -173,12 +173,12 @@ void Document::edit(const Invocation& call, Context& context)
     bool mesh_recording = true, rind_recording = true;
     try {
         call.op->run(scene_, call.parameters.get(), context);
-        if (const Vertex v = changed_out_of_reach(scene_.mesh); v.valid())
-            throw CommandError(fmt::format("vertex {} would lie beyond {}", v.index, largest_coordinate));
         settle(scene_);
-        check(*call.op);
         before.mesh = scene_.mesh.end_change();
         mesh_recording = false;
+        if (const Vertex v = changed_out_of_reach(scene_.mesh, before.mesh); v.valid())
+            throw CommandError(fmt::format("vertex {} would lie beyond {}", v.index, largest_coordinate));
+        check(*call.op, before.mesh);
         // Of a mesh put in place of another nothing survives that could stay selected, or be opened.
         if (before.mesh.corner_vertex.whole) {
             if (scene_.selection.same_as(before.selection)) scene_.selection = nothing;
@@ -239,13 +239,13 @@ void Document::travel(const Invocation& call)
     ++version_;
 }
 
-void Document::check(const Operator& op) const
+void Document::check(const Operator& op, [[maybe_unused]] const MeshChange& before) const
 {
     const Mesh& mesh = scene_.mesh;
 #ifdef DRUSE_FULL_CHECKS
     const std::string broken = druse::check(mesh);
 #else
-    const std::string broken = check_change(mesh);
+    const std::string broken = check_change(mesh, before);
 #endif
     if (!broken.empty()) throw InternalError(fmt::format("internal error: {} left a mesh that is not sound: {}", op.name, broken));
     const Selection& selection = *scene_.selection;

@@ -82,7 +82,7 @@ private:
     void edit(const Invocation& call, Context& context);
     void query(const Invocation& call, Context& context);
     void travel(const Invocation& call);
-    void check(const Operator& op) const;
+    void check(const Operator& op, const MeshChange& before) const;
     void begin(Model&& model, ScriptCommand command);
 
     const Registry* registry_;

@@ -1,5 +1,7 @@
 #include "dlfl/check.h"
 
+#include "dlfl/changed_elements.h"
+
 #include <fmt/format.h>
 
 #include <bitset>
@@ -127,46 +129,53 @@ public:
         return {};
     }
 
-    std::string change() const
+    std::string change(const MeshChange& before) const
     {
         const Mesh& m = mesh_;
         std::string broken;
         Marks corners_done(m.corner_limit()), vertices_done(m.vertex_limit());
         std::uint64_t visited = 0;
-        each_changed(
-            [&](std::uint32_t i) {
-                const Corner c(i);
-                if (!m.is_alive(c) || !corners_done.add(i)) return true;
-                broken = corner(c);
-                if (broken.empty() && vertices_done.add(m.vertex(c).index)) broken = vertex(m.vertex(c), visited);
-                return broken.empty();
-            },
-            m.corner_vertex_, m.corner_next_, m.corner_previous_, m.corner_face_, m.corner_edge_);
-        if (!broken.empty()) return broken;
-        each_changed([&](std::uint32_t i) { return !m.is_alive(Edge(i)) || (broken = edge(Edge(i))).empty(); }, m.edge_corners_);
-        if (!broken.empty()) return broken;
-        each_changed([&](std::uint32_t i) { return !m.is_alive(Face(i)) || (broken = face(Face(i))).empty(); }, m.face_corner_, m.face_group_);
-        if (!broken.empty()) return broken;
-        each_changed([&](std::uint32_t i) { return (broken = face(Face::boundary(i))).empty(); }, m.boundary_corner_);
-        if (!broken.empty()) return broken;
-        each_changed([&](std::uint32_t i) { return !m.is_alive(Vertex(i)) || !vertices_done.add(i) || (broken = vertex(Vertex(i), visited)).empty(); },
-                     m.vertex_corner_, m.vertex_position_);
+        const auto look = [&broken](auto&& rule) {
+            if (broken.empty()) broken = rule();
+        };
+        const auto look_at_vertex = [&](Vertex v) {
+            if (m.is_alive(v) && vertices_done.add(v.index)) look([&] { return vertex(v, visited); });
+        };
+        const auto look_at_face = [&](Face f) {
+            if (f.valid() && (f.is_boundary() ? f.boundary_index() < m.boundary_count() : m.is_alive(f))) look([&] { return face(f); });
+        };
+        const auto look_at_corner = [&](std::uint32_t i) {
+            const Corner c(i);
+            if (!m.is_alive(c) || !corners_done.add(i)) return;
+            look([&] { return corner(c); });
+            if (broken.empty()) look_at_vertex(m.vertex(c));
+        };
+        const auto from_corner = [&](std::uint32_t i, auto) { look_at_corner(i); };
+        each_changed(before.corner_vertex, m.corner_vertex_, from_corner);
+        each_changed(before.corner_next, m.corner_next_, from_corner);
+        each_changed(before.corner_previous, m.corner_previous_, from_corner);
+        each_changed(before.corner_edge, m.corner_edge_, from_corner);
+        each_changed(before.corner_face, m.corner_face_, [&](std::uint32_t i, Face old) {
+            look_at_corner(i);
+            look_at_face(old); // it may still begin there
+        });
+        each_changed(before.edge_corners, m.edge_corners_, [&](std::uint32_t i, const auto&) {
+            if (m.is_alive(Edge(i))) look([&] { return edge(Edge(i)); });
+        });
+        each_changed(before.face_corner, m.face_corner_, [&](std::uint32_t i, Corner) { look_at_face(Face(i)); });
+        each_changed(before.face_group, m.face_group_, [&](std::uint32_t i, std::int32_t) { look_at_face(Face(i)); });
+        each_changed(before.boundary_corner, m.boundary_corner_, [&](std::uint32_t i, Corner) { look_at_face(Face::boundary(i)); });
+        each_changed(before.vertex_corner, m.vertex_corner_, [&](std::uint32_t i, Corner) { look_at_vertex(Vertex(i)); });
+        each_changed(before.vertex_position, m.vertex_position_, [&](std::uint32_t i, const Point&) { look_at_vertex(Vertex(i)); });
         return broken;
     }
 
-    bool changed_whole() const { return mesh_.corner_vertex_.changed_whole(); }
-
-    Vertex out_of_reach() const
+    Vertex out_of_reach(const MeshChange& before) const
     {
         Vertex found;
-        const auto look = [&](std::uint32_t i) {
-            if (!is_in_reach(mesh_.position(Vertex(i)))) found = Vertex(i);
-            return !found.valid();
-        };
-        if (mesh_.vertex_position_.changed_whole())
-            for (std::uint32_t i = 0; i < mesh_.vertex_limit() && look(i); ++i) {}
-        else
-            each_changed(look, mesh_.vertex_position_);
+        each_changed(before.vertex_position, mesh_.vertex_position_, [&](std::uint32_t i, const Point&) {
+            if (Vertex(i) < found && !is_in_reach(mesh_.position(Vertex(i)))) found = Vertex(i);
+        });
         return found;
     }
 
@@ -191,21 +200,12 @@ private:
         std::vector<std::unique_ptr<std::bitset<page_size>>> pages_;
     };
 
-    /// Calls `visit` with every index in a changed page or past the old end of one of the columns, until it returns false.
-    template <class Visit, class... T>
-    static void each_changed(Visit&& visit, const Column<T>&... columns)
+    /// Calls f(i, old) for what is another one now, and for what is new.
+    template <class T, class F>
+    static void each_changed(const ColumnChange<T>& before, const Column<T>& column, F&& f)
     {
-        bool going = true;
-        const auto one = [&](const auto& column) {
-            using C = std::remove_cvref_t<decltype(column)>;
-            const std::uint32_t known = std::min(column.size_before_change(), column.size());
-            for (const std::uint32_t page : column.changed_pages()) {
-                const std::uint32_t first = page << C::page_bits;
-                for (std::uint32_t i = first; going && i < std::min(first + C::page_size, known); ++i) going = visit(i);
-            }
-            for (std::uint32_t i = known; going && i < column.size(); ++i) going = visit(i);
-        };
-        (one(columns), ...);
+        if (!before.whole) for_each_changed(before, [&](std::uint32_t i) { return column[i]; }, f);
+        for (std::uint32_t i = before.whole ? 0 : before.common; i < column.size(); ++i) f(i, T());
     }
 
     const Mesh& mesh_;
@@ -213,12 +213,12 @@ private:
 
 std::string check(const Mesh& mesh) { return MeshChecker(mesh).everything(); }
 
-std::string check_change(const Mesh& mesh)
+std::string check_change(const Mesh& mesh, const MeshChange& before)
 {
     const MeshChecker checker(mesh);
-    return checker.changed_whole() ? checker.everything() : checker.change();
+    return before.corner_vertex.whole ? checker.everything() : checker.change(before);
 }
 
-Vertex changed_out_of_reach(const Mesh& mesh) { return MeshChecker(mesh).out_of_reach(); }
+Vertex changed_out_of_reach(const Mesh& mesh, const MeshChange& before) { return MeshChecker(mesh).out_of_reach(before); }
 
 } // namespace druse

@@ -1,28 +1,12 @@
 #include "dlfl/rind_upkeep.h"
 
+#include "dlfl/changed_elements.h"
 #include "geom/sort_unique.h"
 
 #include <algorithm>
 #include <vector>
 
 namespace druse {
-
-namespace {
-
-/// Calls f(i) for each element that was another one before; `now(i)` is what it is.
-template <class T, class Now, class F>
-void for_each_changed(const ColumnChange<T>& before, Now&& now, F&& f)
-{
-    std::size_t at = 0;
-    for (const std::uint32_t page : before.pages) {
-        const std::uint32_t first = page << Column<T>::page_bits, count = std::min(Column<T>::page_size, before.common - first);
-        for (std::uint32_t k = 0; k < count; ++k)
-            if (before.contents[at + k] != now(first + k)) f(first + k);
-        at += count;
-    }
-}
-
-} // namespace
 
 void drop_dead_pairs(Rind& rind, const Mesh& mesh, const MeshChange& before)
 {
@@ -32,9 +16,9 @@ void drop_dead_pairs(Rind& rind, const Mesh& mesh, const MeshChange& before)
         if (!f.is_boundary() && (changed.empty() || changed.back() != f)) changed.push_back(f);
     };
     // A face whose cycle changed begins elsewhere, is gone, or has a corner with another vertex or follower.
-    for_each_changed(before.corner_vertex, [&](std::uint32_t i) { return mesh.vertex(Corner(i)); }, [&](std::uint32_t i) { look_at(mesh.face(Corner(i))); });
-    for_each_changed(before.corner_next, [&](std::uint32_t i) { return mesh.next(Corner(i)); }, [&](std::uint32_t i) { look_at(mesh.face(Corner(i))); });
-    for_each_changed(before.face_corner, [&](std::uint32_t i) { return mesh.corner(Face(i)); }, [&](std::uint32_t i) { look_at(Face(i)); });
+    for_each_changed(before.corner_vertex, [&](std::uint32_t i) { return mesh.vertex(Corner(i)); }, [&](std::uint32_t i, Vertex) { look_at(mesh.face(Corner(i))); });
+    for_each_changed(before.corner_next, [&](std::uint32_t i) { return mesh.next(Corner(i)); }, [&](std::uint32_t i, Corner) { look_at(mesh.face(Corner(i))); });
+    for_each_changed(before.face_corner, [&](std::uint32_t i) { return mesh.corner(Face(i)); }, [&](std::uint32_t i, Corner) { look_at(Face(i)); });
     sort_unique(changed);
     for (const Face f : changed)
         if (!rind.find(mesh, f)) rind.remove(f);

@@ -254,9 +254,9 @@ TEST_P(RandomDiscs, TakeThePlacesOfAnyFaces)
 
         mesh.begin_change();
         ASSERT_NO_FATAL_FAILURE(expect_replaced(mesh, faces, pointers));
-        ASSERT_EQ(check_change(mesh), "");
         const Mesh after = mesh;
         MeshChange change = mesh.end_change();
+        ASSERT_EQ(check_change(mesh, change), "");
         mesh.exchange(change);
         ASSERT_EQ(mesh, before);
         mesh.exchange(change);
