@@ -65,15 +65,22 @@ void MeshTables::append_reversed(Mesh& mesh)
     for (std::uint32_t c = 0; c < corners; ++c) previous[c] = Corner(mesh.corner_next_[c].index + corners);
     for (std::uint32_t c = 0; c < corners; ++c) face[c] = Face(mesh.corner_face_[c].index + faces);
     // The side that started at a corner now ends there, so it belongs to the corner after it.
-    for (std::uint32_t c = 0; c < corners; ++c) {
-        const Edge e = mesh.corner_edge_[mesh.corner_previous_[c].index];
-        edge[c] = e.valid() ? Edge(e.index + edges) : e;
+    std::fill_n(edge, corners, Edge());
+    std::uint32_t made = 0;
+    for (std::uint32_t f = 0; f < faces; ++f) {
+        const Corner first = mesh.face_corner_[f];
+        start[f] = Corner(first.index + corners);
+        Corner c = first;
+        do {
+            const Corner before = mesh.corner_previous_[c.index]; // where the copy goes on
+            if (!edge[c.index].valid() && mesh.corner_edge_[before.index].valid()) {
+                const Corner beyond = mesh.corner_next_[mesh.opposite(before).index];
+                edge[c.index] = edge[beyond.index] = Edge(edges + made);
+                pair[made++] = {Corner(c.index + corners), Corner(beyond.index + corners)};
+            }
+            c = before;
+        } while (c != first);
     }
-    for (std::uint32_t e = 0; e < edges; ++e) {
-        const auto& [a, b] = mesh.edge_corners_[e];
-        pair[e] = {Corner(mesh.corner_next_[a.index].index + corners), Corner(mesh.corner_next_[b.index].index + corners)};
-    }
-    for (std::uint32_t f = 0; f < faces; ++f) start[f] = Corner(mesh.face_corner_[f].index + corners);
     std::copy_n(group - faces, faces, group);
     std::copy_n(position - vertices, vertices, position);
     for (std::uint32_t v = 0; v < vertices; ++v) vertex_corner[v] = Corner(mesh.vertex_corner_[v].index + corners);

@@ -83,8 +83,8 @@ public:
     /// Puts these positions in place of all, and the old ones in theirs. Preconditions: as many as there are, and no change is being recorded.
     static void exchange_positions(Mesh& mesh, Column<Point>& positions);
 
-    /// Adds a copy of everything, turned inside out: vertex v becomes V + v, edge e E + e, face f F + f, each face from the same start vertex.
-    /// Preconditions: no holes, no open boundary. Cost: what is added is written once, in order.
+    /// Adds a copy of everything, turned inside out: vertex v becomes V + v, face f F + f, each face from the same start vertex, and edges follow
+    /// from E on as the new faces first use them. Preconditions: no holes, no open boundary. Cost: what is added is written once.
     /// @throws CommandError if there would be 2^31 of a kind or more
     static void append_reversed(Mesh& mesh);
 

@@ -156,6 +156,28 @@ TEST(Crust, OfAnOpenSheetIsAClosedPlate)
     EXPECT_GT(volume(scene.mesh), 0);
 }
 
+TEST(Crust, NumbersTheEdgesOfTheCopyAsItsFacesFirstUseThem)
+{
+    for (const NamedShape& shape : all_shapes()) {
+        SCOPED_TRACE(shape.name);
+        const Mesh mesh = shape.make();
+        if (mesh.edge_count() == 0 || mesh.boundary_count() > 0) continue;
+        Scene scene = scene_of(mesh);
+        run(scene, "rind.crust", {{"guard", "off"}});
+        if (scene.mesh.face_count() != 2 * mesh.face_count()) continue; // it has point spheres
+        for (const Edge e : mesh.edges())
+            for (const int side : {0, 1}) EXPECT_EQ(scene.mesh.corner(e, side), mesh.corner(e, side));
+        std::uint32_t next = mesh.edge_count();
+        for (std::uint32_t f = mesh.face_count(); f < scene.mesh.face_count(); ++f)
+            for (const Corner c : scene.mesh.corners(Face(f))) {
+                if (scene.mesh.edge(c).index < next) continue;
+                EXPECT_EQ(scene.mesh.edge(c).index, next++);
+                EXPECT_EQ(scene.mesh.corner(scene.mesh.edge(c), 0), c);
+            }
+        EXPECT_EQ(next, scene.mesh.edge_count());
+    }
+}
+
 TEST(Crust, MovesTheGivenSurfaceOutwardWhereTheThicknessIsNegative)
 {
     const Mesh before = cube();
