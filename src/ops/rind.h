@@ -40,16 +40,39 @@ struct CrustOffsets {
 /// for the normals at the vertex in the sense of least squares, and of these the shortest. Cost: O(corners).
 CrustOffsets crust_offsets(const Mesh& mesh, bool uniform, double limit);
 
-/// The first vertex that does not sink below all of its faces: its offset leads out of one or along it, as at a rim so sharp that the mean
-/// normal looks past one of the faces. However thin, a crust meets itself there. Cost: O(corners).
-Vertex stuck_vertex(const Mesh& mesh, const CrustOffsets& offsets);
+/// Up to which thickness a crust is expected to be well, and where it would be well no longer.
+struct ThicknessLimit {
+    enum class By {
+        nothing,
+        turn,   // `face` turns over at `vertex`
+        vertex, // `vertex` comes up against a wall
+        face,   // the centre of `face` does
+        stuck   // `vertex` leads out of a face of its own, so that the crust meets itself there however thin
+    };
+    double safe = infinity;
+    By by = By::nothing;
+    Vertex vertex;
+    Face face;
+    std::string text() const; // `face 3 turns over at vertex 5`
+};
 
-/// Up to which thickness a crust is expected to be well: 0.95 of the least at which a corner of a face turns over or opposite walls meet; 0 where
-/// a vertex is stuck. Infinite where nothing ever does, or not up to `enough`, so that no more is found out than who asks wants to know. All is
-/// found without building anything: the mark on the slider of a thickness.
-/// Cost: a ray for each vertex and each face, 1 to 3 µs; a fraction of it for an `enough` that is thin. @throws Cancelled
-double safe_thickness(const Mesh& mesh, const CrustOffsets& offsets, bool outward, Progress& progress,
-                      double enough = infinity);
+/// 0.95 of the least thickness at which a corner of a face turns over or opposite walls meet; infinite where nothing ever does, or not up to
+/// `enough`, so that no more is found out than who asks wants to know. At a rim so sharp that the mean normal looks past one of its faces the
+/// offset of a vertex leads out of that face, or along it. That may be well all the same, as where other faces stand between, and well outward
+/// but not inward; so where there is such a vertex a very thin crust is made and tried, and if it meets itself at one of them, nothing is safe.
+/// Cost: a ray for each vertex and each face, 1 to 3 µs; a fraction of it for an `enough` that is thin. Where there is such a vertex, that of
+/// a crust and of self_intersections() besides. @throws Cancelled
+ThicknessLimit thickness_limit(const Mesh& mesh, const CrustOffsets& offsets, bool outward, Progress& progress, double enough = infinity);
+
+/// The number alone: the mark on the slider of a thickness.
+inline double safe_thickness(const Mesh& mesh, const CrustOffsets& offsets, bool outward, Progress& progress, double enough = infinity)
+{
+    return thickness_limit(mesh, offsets, outward, progress, enough).safe;
+}
+
+/// What crosses in a crust of that thickness, which is made for this and given up again; below 0 the surface moves outward.
+/// @throws Cancelled
+SelfIntersections crust_crossings(const Mesh& mesh, const CrustOffsets& offsets, double thickness, Progress& progress);
 
 /// What is wrong with a crust that has been made.
 struct CrustFaults {
@@ -64,8 +87,8 @@ struct CrustFaults {
 Point shape_center(const Mesh& mesh, const OrWord<Point>& center);
 
 /// Adds a copy of everything, turned inside out: vertex v becomes V + v, face f becomes F + f, from the same start corner. V, E, F, the
-/// components and the genus are doubled. An open boundary is doubled with the rest and joined to its copy by walls, so that a sheet becomes a
-/// plate; its faces and vertices keep their ids, its edges do not.
+/// components and the genus are doubled. Its edges follow as its faces, from F on, first use them. An open boundary is doubled with the rest and
+/// joined to its copy by walls, so that a sheet becomes a plate; faces and vertices keep their ids, edges are numbered anew as faces use them.
 /// Cost: linear. @return the walls over open boundaries
 std::vector<Face> add_reversed_copy(Scene& scene);
 

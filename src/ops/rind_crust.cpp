@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace druse {
 
@@ -175,16 +176,29 @@ std::uint32_t count_turned_over(const Mesh& mesh, std::span<const Point> before,
 
 /// What is decided before anything changes: where the vertices of the moved surface go, and which surface that is.
 struct Placement {
-    std::vector<Point> moved; // by vertex
-    bool outward = false;     // the given surface moves
-    std::string beyond;       // `thickness 2 is more than the safe 0.95`, or empty
+    std::vector<Point> moved;           // by vertex
+    bool outward = false;               // the given surface moves
+    std::string beyond;                 // `thickness 2 is more than the safe 0.95`, or empty
+    std::optional<double> chosen;       // the thickness, where the guard has chosen it
+    bool reduced = false;               // from one that was given
 };
 
-std::string none_is_safe(const Mesh& mesh, const CrustOffsets& offsets, const CrustShape& shape)
+/// True if the corrected offsets would do where the published ones do not.
+bool uniform_helps(const Mesh& mesh, const CrustShape& shape, bool outward, Progress& progress)
 {
-    const Vertex v = stuck_vertex(mesh, offsets);
-    if (!v.valid()) return "no thickness is safe";
-    return fmt::format("no thickness is safe at vertex {}, which sinks below some of its faces only{}", v.index, shape.uniform ? "" : "; try uniform=true");
+    if (shape.uniform) return false;
+    const bool automatic = !shape.thickness.word.empty();
+    const CrustOffsets offsets = crust_offsets(mesh, true, shape.limit);
+    const double asked = std::abs(shape.thickness.value);
+    const double safe = safe_thickness(mesh, offsets, outward, progress, automatic ? infinity : asked);
+    if (!(safe > 0) || (automatic && std::isinf(safe)) || (shape.guard == Guard::error && safe < asked)) return false;
+    const double thickness = automatic ? 0.5 * safe : std::min(safe, asked);
+    return crust_crossings(mesh, offsets, outward ? -thickness : thickness, progress).pairs == 0;
+}
+
+std::string none_is_safe(const Mesh& mesh, const CrustShape& shape, const ThicknessLimit& limit, bool outward, Progress& progress)
+{
+    return fmt::format("no thickness is safe: {}{}", limit.text(), uniform_helps(mesh, shape, outward, progress) ? "; try uniform=true" : "");
 }
 
 Placement place_by_thickness(const Mesh& mesh, const CrustShape& shape, Context& context)
@@ -196,19 +210,22 @@ Placement place_by_thickness(const Mesh& mesh, const CrustShape& shape, Context&
     result.outward = !automatic && thickness < 0;
     if (automatic || shape.guard != Guard::off) {
         const double enough = automatic ? infinity : std::abs(thickness);
-        const double safe = safe_thickness(mesh, offsets, result.outward, context.progress, enough);
+        const ThicknessLimit limit = thickness_limit(mesh, offsets, result.outward, context.progress, enough);
+        const auto no_thickness = [&] { return none_is_safe(mesh, shape, limit, result.outward, context.progress); };
         if (automatic) {
-            if (std::isinf(safe)) throw CommandError("thickness=auto: the surface sets no limit to go by");
-            if (!(safe > 0)) throw CommandError("thickness=auto: " + none_is_safe(mesh, offsets, shape));
-            thickness = 0.5 * safe;
-            context.note(fmt::format("thickness {:.6g}", thickness));
-        } else if (std::abs(thickness) > safe) {
-            result.beyond = fmt::format("thickness {:.6g} is more than the safe {:.6g}", std::abs(thickness), safe);
-            if (shape.guard == Guard::error) throw CommandError(result.beyond);
+            if (std::isinf(limit.safe)) throw CommandError("thickness=auto: the surface sets no limit to go by");
+            if (!(limit.safe > 0)) throw CommandError("thickness=auto: " + no_thickness());
+            thickness = 0.5 * limit.safe;
+            result.chosen = thickness;
+        } else if (std::abs(thickness) > limit.safe) {
+            const bool none = !(limit.safe > 0);
+            result.beyond = fmt::format("thickness {:.6g} is more than the safe {:.6g}", std::abs(thickness), limit.safe);
+            if (shape.guard == Guard::error) throw CommandError(none ? no_thickness() : fmt::format("{}: {}", result.beyond, limit.text()));
             if (shape.guard == Guard::limit) {
-                if (!(safe > 0)) throw CommandError(none_is_safe(mesh, offsets, shape));
-                thickness = std::copysign(safe, thickness);
-                context.note(fmt::format("thickness reduced to the safe {:.6g}", safe));
+                if (none) throw CommandError(no_thickness());
+                thickness = std::copysign(limit.safe, thickness);
+                result.chosen = thickness;
+                result.reduced = true;
                 result.beyond.clear();
             }
         }
@@ -244,6 +261,31 @@ std::uint32_t drop_point_spheres(Mesh& mesh)
     return count / 2;
 }
 
+/// Corners and the centres of faces tell when a crust turns over or comes up against a wall; that edges cross before is seen only when it is
+/// there. Then a thickness that was chosen, not given, is halved until they do not; where that is of no use, because the surface meets itself
+/// without a crust, it stays as it was.
+/// @return how often it was halved
+int thin_until_apart(Mesh& mesh, std::uint32_t first_moved, const std::vector<Point>& moved, Progress& progress, SelfIntersections& met)
+{
+    constexpr int most = 20;
+    const auto vertices = static_cast<std::uint32_t>(moved.size()), first_still = vertices - first_moved;
+    const auto look_at = [&](int halvings) {
+        for (std::uint32_t v = 0; v < vertices; ++v) {
+            const Point& from = mesh.position(Vertex(first_still + v));
+            mesh.set_position(Vertex(first_moved + v), halvings == 0 ? moved[v] : from + std::ldexp(1.0, -halvings) * (moved[v] - from));
+        }
+        return halvings == 0 ? SelfIntersections() : self_intersections(mesh, progress, 1);
+    };
+    if (look_at(most).pairs > 0) {
+        look_at(0);
+        return 0;
+    }
+    int halvings = 1;
+    while (look_at(halvings).pairs > 0) ++halvings;
+    met = {};
+    return halvings;
+}
+
 void run_crust(Scene& scene, const CrustShape& shape, Context& context)
 {
     Mesh& mesh = scene.mesh;
@@ -264,14 +306,24 @@ void run_crust(Scene& scene, const CrustShape& shape, Context& context)
     }
     scene.rind = Rind::of_copies(mesh, faces);
 
+    int halvings = 0;
     if (shape.guard != Guard::off) {
         faults.met = self_intersections(mesh, context.progress, CrustFaults::most);
-        if (faults.any() || !placement.beyond.empty()) {
-            const std::string found = faults.any() ? faults.text() : "";
-            const std::string text = placement.beyond + (placement.beyond.empty() || found.empty() ? "" : ": ") + found;
-            if (shape.guard == Guard::error) throw CommandError(text);
-            context.note(text);
+        if (placement.chosen && faults.met.pairs > 0) halvings = thin_until_apart(mesh, first_moved, placement.moved, context.progress, faults.met);
+    }
+    if (placement.chosen) {
+        const double thickness = std::ldexp(std::abs(*placement.chosen), -halvings);
+        context.note(fmt::format("thickness {}{:.6g}{}", !placement.reduced ? "" : halvings == 0 ? "reduced to the safe " : "reduced to ", thickness,
+                                 halvings == 0 ? "" : ": a thicker one crosses itself"));
+    }
+    if (faults.any() || !placement.beyond.empty()) {
+        const std::string found = faults.any() ? faults.text() : "";
+        const std::string text = placement.beyond + (placement.beyond.empty() || found.empty() ? "" : ": ") + found;
+        if (shape.guard == Guard::error) {
+            const bool at_face = !faults.met.faces.empty() && faults.met.faces[0].index < 2 * faces; // not between walls of a rim only
+            throw CommandError(at_face ? fmt::format("{}; look at face {}", text, faults.met.faces[0].index % faces) : text);
         }
+        context.note(text);
     }
     if (const std::uint32_t spheres = drop_point_spheres(mesh); spheres > 0)
         context.note(counted(spheres, "point sphere is no surface: left out", "point spheres are no surface: left out"));

@@ -141,7 +141,7 @@ TEST(RindInDocument, FailsWithALineThatTellsWhyAndChangesNothing)
         {{"rind.crust", "rind.punch faces=0-2"}, "rind.punch faces=12-14", "rind.punch: faces 12-14: none of them is part of a rind"},
         {{"rind.crust"}, "rind.crust thickness=0", "rind.crust: thickness must not be 0"},
         {{}, "rind.crust by=scale scale=1", "rind.crust: scale must not be 1"},
-        {{}, "rind.crust thickness=2 guard=error", "rind.crust: thickness 2 is more than the safe 0.822724"},
+        {{}, "rind.crust thickness=2 guard=error", "rind.crust: thickness 2 is more than the safe 0.822724: face 0 turns over at vertex 0"},
         {{}, "topology.pipe from=3 to=3", "topology.pipe: from and to are the same face 3"},
         {{"make.prism n=6"}, "topology.pipe from=0 to=6 unequal=error", "topology.pipe: face 0 has 4 sides, face 6 has 6 (unequal=error)"},
         {{"make.cube"}, "topology.handle from=0 to=6", "topology.handle: the two faces have the same centre"},
