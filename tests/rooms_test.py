@@ -10,7 +10,7 @@ MAY_INCLUDE = {
     "dlfl": ["geom"],
     "graph": ["dlfl", "geom"],
     "pane": ["dlfl", "geom"],
-    "tile": ["dlfl", "geom"],
+    "tile": ["pane", "dlfl", "geom"],
     "ops": ["graph", "dlfl", "geom"],
     "io": ["graph", "dlfl", "geom"],
     "app": ["ops", "io", "graph", "dlfl", "geom"],
