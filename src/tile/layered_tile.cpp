@@ -38,23 +38,6 @@ void check_corners(const IsohedralType& type, const CornerVector& corners)
     }
 }
 
-void check_path(const IsohedralType& type, int path, std::span<const Point2> points)
-{
-    const char shape = letter(type.shapes[path]);
-    for (const Point2& p : points) {
-        require_finite(p.x, "path point");
-        require_finite(p.y, "path point");
-        if (type.shapes[path] == PathShape::straight && p.y != 0)
-            throw TileRefusal(TileRefusal::Reason::half_path, fmt::format("path {} of {} is straight ({}): its points have v = 0", path, type.name(), shape));
-        if (!is_half_stored(type, path)) continue;
-        const bool last = &p == &points.back() && type.shapes[path] != PathShape::half_turn;
-        if (!(p.x < 0.5 || (last && p.x == 0.5)))
-            throw TileRefusal(TileRefusal::Reason::half_path,
-                              fmt::format("path {} of {} is the same backwards ({}): its points lie in the first half, u {} 0.5", path, type.name(), shape,
-                                          type.shapes[path] == PathShape::half_turn ? "below" : "up to"));
-    }
-}
-
 } // namespace
 
 LayeredTile::LayeredTile(TileDesign design) : design_(std::move(design)) { derive(); }
@@ -271,6 +254,14 @@ std::vector<std::array<int, 2>> LayeredTile::constrained_edges() const
     for (const auto& chain : design_.segments)
         for (std::size_t i = 1; i < chain.size(); ++i) edges.push_back({find(chain[i - 1]), find(chain[i])});
     return edges;
+}
+
+std::size_t LayeredTile::bytes() const
+{
+    std::size_t sum = surface_.points.size() * sizeof(Point) + surface_.triangles.size() * sizeof(surface_.triangles[0]) + design_.interior.size() * sizeof(Point2) +
+                      outline_.points.size() * sizeof(OutlinePoint) + design_.heights.size() * 2 * sizeof(*design_.heights.begin()) + design_.kept.size();
+    for (const auto& chain : design_.segments) sum += sizeof(chain) + chain.size() * sizeof(PointName);
+    return sum;
 }
 
 // --- copies -------------------------------------------------------------------------------------------------------------------------------

@@ -117,6 +117,12 @@ public:
     void set_heights(std::span<const int> points, double height);
     void add_heights(std::span<const int> points, double by);
 
+    /// How many places of the lattice a drawing of the tiling shows.
+    void set_across(int x, int y) { design_.across = {x, y}; }
+
+    std::size_t bytes() const; // of memory, beside the tile itself
+    friend bool operator==(const LayeredTile& a, const LayeredTile& b) { return a.design_ == b.design_; }
+
     /// What there is to say about the last edit, one line each.
     const std::vector<std::string>& notes() const { return notes_; }
 

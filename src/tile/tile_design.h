@@ -3,8 +3,10 @@
 #include "geom/point.h"
 #include "tile/point_name.h"
 
+#include <array>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace druse {
@@ -33,6 +35,10 @@ struct TileDesign {
     std::optional<double> thickness;         // unset: the tile is flat still
     std::map<PointName, double> heights;     // of orbits, by one of their points; 0 where there is none
     TileStack stack;
+    std::array<int, 2> across{3, 3};         // how many places of the lattice a drawing of the tiling shows; not in files
+    std::string kept;                        // what else its file says, as JSON; written back as it is
+
+    friend bool operator==(const TileDesign&, const TileDesign&) = default;
 };
 
 } // namespace druse

@@ -2,9 +2,13 @@
 
 #include "geom/predicates.h"
 #include "geom/segments.h"
+#include "tile/tile_refusal.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace druse {
@@ -95,6 +99,22 @@ bool is_half_stored(const IsohedralType& type, int path)
 {
     const PathShape shape = type.shapes[path];
     return shape == PathShape::half_turn || shape == PathShape::flip || (shape == PathShape::straight && comes_back_reversed(type, path));
+}
+
+void check_path(const IsohedralType& type, int path, std::span<const Point2> points)
+{
+    const char shape = letter(type.shapes[path]);
+    for (const Point2& p : points) {
+        if (!(std::abs(p.x) <= 1e100 && std::abs(p.y) <= 1e100)) throw CommandError(fmt::format("path point {},{}: numbers go to 1e100", p.x, p.y));
+        if (type.shapes[path] == PathShape::straight && p.y != 0)
+            throw TileRefusal(TileRefusal::Reason::half_path, fmt::format("path {} of {} is straight ({}): its points have v = 0", path, type.name(), shape));
+        if (!is_half_stored(type, path)) continue;
+        const bool last = &p == &points.back() && type.shapes[path] != PathShape::half_turn;
+        if (!(p.x < 0.5 || (last && p.x == 0.5)))
+            throw TileRefusal(TileRefusal::Reason::half_path,
+                              fmt::format("path {} of {} is the same backwards ({}): its points lie in the first half, u {} 0.5", path, type.name(), shape,
+                                          type.shapes[path] == PathShape::half_turn ? "below" : "up to"));
+    }
 }
 
 std::vector<PathPoint> whole_path(const IsohedralType& type, int path, std::span<const Point2> stored)

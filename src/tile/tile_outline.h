@@ -43,7 +43,10 @@ struct PathPoint {
 /// Whether a path must be the same backwards, so that its first half is stored: S and U always, I where edges ask for it.
 bool is_half_stored(const IsohedralType& type, int path);
 
-/// All inner points of a path, from (0,0) to (1,0). Precondition: the points are in the first half where is_half_stored().
+/// @throws TileRefusal half_path where points are not in the first half, or not on a straight path; CommandError where they are no numbers
+void check_path(const IsohedralType& type, int path, std::span<const Point2> stored);
+
+/// All inner points of a path, from (0,0) to (1,0). Precondition: check_path().
 std::vector<PathPoint> whole_path(const IsohedralType& type, int path, std::span<const Point2> stored);
 
 TileOutline make_outline(const IsohedralType& type, const CornerVector& corners, double size, std::span<const std::vector<Point2>> paths);
