@@ -31,13 +31,12 @@ void run(Scene& scene, const Arguments& arguments, Context& context)
 
 void struts(benchmark::State& state, const Graph& graph, const Arguments& arguments)
 {
-    const Shared<Source> source{Source(graph)};
     Progress progress;
     Scene scene;
     for (auto _ : state) {
         state.PauseTiming();
         scene = Scene(); // the memory of the run before is given back first
-        scene.source = source;
+        scene.source.replace_with(graph);
         Context context{.progress = progress};
         state.ResumeTiming();
         run(scene, arguments, context);

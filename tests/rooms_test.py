@@ -11,12 +11,12 @@ MAY_INCLUDE = {
     "graph": ["dlfl", "geom"],
     "pane": ["dlfl", "geom"],
     "tile": ["pane", "dlfl", "geom"],
-    "ops": ["graph", "dlfl", "geom"],
-    "io": ["graph", "dlfl", "geom"],
-    "app": ["ops", "io", "graph", "dlfl", "geom"],
+    "ops": ["pane", "graph", "dlfl", "geom"],
+    "io": ["pane", "graph", "dlfl", "geom"],
+    "app": ["ops", "io", "pane", "graph", "dlfl", "geom"],
     "render": ["graph", "dlfl", "geom"],
-    "ui": ["app", "render", "ops", "io", "graph", "dlfl", "geom"],
-    "cli": ["ui", "app", "render", "ops", "io", "graph", "dlfl", "geom"],
+    "ui": ["app", "render", "ops", "io", "pane", "graph", "dlfl", "geom"],
+    "cli": ["ui", "app", "render", "ops", "io", "pane", "graph", "dlfl", "geom"],
 }
 
 # Libraries that belong to some rooms only.

@@ -104,14 +104,10 @@ public:
 
     Invocation bind(const Command& command)
     {
-        std::vector<std::string_view> keys;
-        for (const auto& [key, value] : command.arguments) {
-            if (std::ranges::find(keys, key) != keys.end()) throw CommandError(fmt::format("{} is given twice", shown(key)));
-            keys.push_back(key);
-        }
-        for (const auto& [key, value] : command.arguments)
+        const auto arguments = each_once(command);
+        for (const auto& [key, value] : arguments)
             if (key == "preset") take_preset(value);
-        for (const auto& [key, value] : command.arguments)
+        for (const auto& [key, value] : arguments)
             if (key != "preset") set(key, value);
         check_required();
         check_exclusive();
@@ -120,6 +116,20 @@ public:
     }
 
 private:
+    /// The arguments, with the values of a key that may be repeated as one.
+    std::vector<std::pair<std::string, std::string>> each_once(const Command& command) const
+    {
+        std::vector<std::pair<std::string, std::string>> arguments;
+        for (const auto& [key, value] : command.arguments) {
+            const auto before = std::ranges::find_if(arguments, [&](const auto& a) { return a.first == key; });
+            const Parameter* p = op_.find(key);
+            if (before == arguments.end()) arguments.emplace_back(key, value);
+            else if (p && p->repeated) before->second.append(" ").append(value);
+            else throw CommandError(fmt::format("{} is given twice", shown(key)));
+        }
+        return arguments;
+    }
+
     void set(const std::string& key, const std::string& value)
     {
         const auto p = std::ranges::find(op_.parameters, key, &Parameter::name);
@@ -137,7 +147,7 @@ private:
         std::vector<std::string> names;
         for (const Preset& preset : op_.presets) {
             if (preset.name == name) {
-                for (const auto& [key, value] : parse_command(op_.name + " " + preset.arguments).arguments) set(key, value);
+                for (const auto& [key, value] : each_once(parse_command(op_.name + " " + preset.arguments))) set(key, value);
                 return;
             }
             names.push_back(preset.name);
@@ -219,6 +229,10 @@ std::string Invocation::text() const
         if (!given[i]) continue;
         const Parameter& p = op->parameters[i];
         const std::string value = p.text(parameters.get());
+        if (p.repeated) {
+            for (const std::string_view piece : split(value, ' ')) text.append(" ").append(argument_text(p.name, piece));
+            continue;
+        }
         text += ' ';
         // A colour is written bare although it begins with `#`.
         text += p.type == Parameter::Type::colour ? p.name + "=" + value : argument_text(p.name, value);

@@ -166,11 +166,12 @@ Document::Outcome Document::run(const Invocation& call, Progress& progress, cons
 
 void Document::edit(const Invocation& call, Context& context)
 {
-    History::Step before{script_command(call, context.folder), {}, {}, scene_.groups, scene_.selection, scene_.source};
+    History::Step before{script_command(call, context.folder), {}, {}, scene_.groups, scene_.selection, {}};
     const Shared<Selection> nothing;
     scene_.mesh.begin_change();
     scene_.rind.begin_change();
-    bool mesh_recording = true, rind_recording = true;
+    scene_.source.begin_change();
+    bool mesh_recording = true, rind_recording = true, source_recording = true;
     try {
         call.op->run(scene_, call.parameters.get(), context);
         settle(scene_);
@@ -194,15 +195,18 @@ void Document::edit(const Invocation& call, Context& context)
         }
         before.rind = scene_.rind.end_change();
         rind_recording = false;
+        before.source = scene_.source.end_change();
+        source_recording = false;
         history_.add(std::move(before), scene_);
     } catch (...) {
         if (mesh_recording) scene_.mesh.roll_back();
         else scene_.mesh.exchange(before.mesh);
         if (rind_recording) scene_.rind.roll_back();
         else scene_.rind.exchange(before.rind);
+        if (source_recording) scene_.source.roll_back();
+        else scene_.source.exchange(before.source);
         scene_.groups = before.groups;
         scene_.selection = before.selection;
-        scene_.source = before.source;
         throw;
     }
     ++version_;
@@ -212,16 +216,16 @@ void Document::query(const Invocation& call, Context& context)
 {
     const Shared<GroupTable> groups = scene_.groups;
     const Shared<Selection> selection = scene_.selection;
-    const Shared<Source> source = scene_.source;
     const auto restore = [&] {
         scene_.mesh.roll_back();
         scene_.rind.roll_back();
+        scene_.source.roll_back();
         scene_.groups = groups;
         scene_.selection = selection;
-        scene_.source = source;
     };
     scene_.mesh.begin_change();
     scene_.rind.begin_change();
+    scene_.source.begin_change();
     try {
         call.op->run(scene_, call.parameters.get(), context);
     } catch (...) {

@@ -51,7 +51,7 @@ void open_file(Scene& scene, const OpenFile& p, Context& context)
     scene.rind = std::move(made.rind);
     scene.groups = std::move(made.groups);
     scene.selection = std::move(made.selection);
-    scene.source = std::move(made.source);
+    scene.source.replace_with(std::move(made.source).release());
 }
 
 } // namespace
@@ -62,7 +62,9 @@ void fill(Scene& scene, Model&& model)
     scene.rind = std::move(model.rind);
     scene.groups = std::move(model.groups);
     scene.selection = Selection();
-    scene.source = model.graph ? Source(std::move(*model.graph)) : Source();
+    if (model.pane) scene.source.replace_with(std::move(*model.pane));
+    else if (model.graph) scene.source.replace_with(std::move(*model.graph));
+    else scene.source.replace_with({});
 }
 
 ScriptCommand opening_command(const std::filesystem::path& file)

@@ -13,21 +13,12 @@ std::size_t bytes(const Selection& s)
 
 std::size_t bytes(const GroupTable&) { return 0; } // a few entries at most
 
-std::size_t bytes(const Source& source)
-{
-    const Graph* graph = std::get_if<Graph>(&source);
-    if (!graph) return 0;
-    const StrutTable& struts = graph->struts;
-    return graph->vertices.size() * sizeof(Point) + graph->edges.size() * sizeof(graph->edges[0]) + graph->normals.size() * sizeof(Vector) +
-           (struts.ball_ends.size() + struts.cap_ends.size() + struts.vertex_ids.size() + struts.edge_ids.size()) * sizeof(std::uint32_t);
-}
-
 /// What a step holds beside the present state.
 std::size_t own_bytes(const History::Step& step, const Scene& scene)
 {
     const auto unless_shared = [](const auto& mine, const auto& its) { return mine.same_as(its) ? 0 : bytes(*mine); };
-    return sizeof(step) + step.command.text.size() + step.mesh.bytes() + step.rind.bytes() + unless_shared(step.groups, scene.groups) +
-           unless_shared(step.selection, scene.selection) + unless_shared(step.source, scene.source);
+    return sizeof(step) + step.command.text.size() + step.mesh.bytes() + step.rind.bytes() + step.source.bytes() +
+           unless_shared(step.groups, scene.groups) + unless_shared(step.selection, scene.selection);
 }
 
 } // namespace
@@ -61,9 +52,9 @@ void History::drop_state(std::size_t k)
     bytes_ -= step.bytes;
     step.mesh = {};
     step.rind = {};
+    step.source = {};
     step.groups = steps_[k + 1].groups;
     step.selection = steps_[k + 1].selection;
-    step.source = steps_[k + 1].source;
     step.bytes = 0;
 }
 
@@ -71,9 +62,9 @@ void History::exchange(Scene& scene, Step& step)
 {
     scene.mesh.exchange(step.mesh);
     scene.rind.exchange(step.rind);
+    scene.source.exchange(step.source);
     std::swap(scene.groups, step.groups);
     std::swap(scene.selection, step.selection);
-    std::swap(scene.source, step.source);
     step.bytes = own_bytes(step, scene);
 }
 

@@ -20,8 +20,8 @@ struct ScriptCommand {
 
 /// A line of states of a scene, each reached from the one before by a command.
 ///
-/// A step keeps what leads from one state to the other: the pages of the mesh that differ, and the selection, groups and source
-/// where they differ. Going back or forth exchanges them with the scene's, exactly, at a cost that follows the change.
+/// A step keeps what leads from one state to the other: the pages of the mesh that differ, what edits of a pane changed, and another
+/// source, the selection and the groups where they differ. Going back or forth exchanges them with the scene's, exactly, at a cost that follows the change.
 ///
 /// States are counted from 0, the beginning; state k is the one after k steps. Where the steps pass the memory budget, the oldest
 /// states are dropped, never the last step's. Their commands stay, so that the whole history can always be written as a script.
@@ -33,7 +33,7 @@ public:
         Rind::Change rind;
         Shared<GroupTable> groups;
         Shared<Selection> selection;
-        Shared<Source> source;
+        HeldSource::Change source;
         std::size_t bytes = 0; // what it holds that the scene does not share; kept up to date by History
     };
 

@@ -4,7 +4,9 @@
 #include "dlfl/measures.h"
 #include "graph/graph_facts.h"
 #include "ops/selector.h"
+#include "ops/shown_lines.h"
 #include "ops/text.h"
+#include "pane/pane_check.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,16 +24,27 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* units = "mm";
 
-/// What is there to be told: the facts of the mesh, unless all there is is a graph.
+/// What of a pane is told beside its own facts.
+struct PaneFacts {
+    explicit PaneFacts(const Pane& pane) : own(check(pane)), lines(facts(pane_edges(pane))) {}
+
+    PaneCheck own;
+    GraphFacts lines; // its edges
+};
+
+/// What is there to be told: the facts of the mesh, unless all there is is a source.
 struct Facts {
-    explicit Facts(const Scene& scene) : mesh(facts(scene.mesh))
+    explicit Facts(const Scene& scene) : mesh(facts(scene.mesh)), only_source(shows_source(scene))
     {
         if (const Graph* g = std::get_if<Graph>(&*scene.source)) graph = facts(*g);
-        only_graph = graph && scene.mesh.face_count() == 0;
+        if (const Pane* p = std::get_if<Pane>(&*scene.source)) pane.emplace(*p);
+        kind = only_source ? name(*scene.source) : "mesh";
     }
     MeshFacts mesh;
     std::optional<GraphFacts> graph;
-    bool only_graph = false;
+    std::optional<PaneFacts> pane;
+    bool only_source = false;
+    const char* kind = nullptr;
 };
 
 // --- JSON ---------------------------------------------------------------------------------------------------------------------
@@ -110,6 +123,38 @@ void add_graph(Json& j, const GraphFacts& g)
     j["sides"] = Json::object();
     j["valences"] = counts_json(g.valences);
     j["max_nonplanarity"] = nullptr;
+}
+
+/// Its triangles are faces, its boundary is open; what tells of a body is null.
+void add_pane(Json& j, const PaneFacts& p)
+{
+    j["vertices"] = p.own.points;
+    j["edges"] = p.own.edges;
+    j["faces"] = p.own.triangles;
+    j["corners"] = 3 * p.own.triangles;
+    j["components"] = p.lines.components;
+    j["euler"] = 1 - std::int64_t(p.own.holes);
+    for (const char* key : {"genus", "watertight", "oriented", "manifold"}) j[key] = nullptr;
+    j["boundary_edges"] = p.own.boundary_points;
+    j["volume"] = nullptr;
+    j["area"] = p.own.area;
+    j["bbox"] = box_json(p.lines.bounds);
+    j["edge_length"] = lengths_json(p.lines.shortest_edge, p.lines.mean_edge, p.lines.longest_edge, true);
+    j["sides"] = {{"3", p.own.triangles}};
+    j["valences"] = counts_json(p.lines.valences);
+    j["max_nonplanarity"] = nullptr;
+}
+
+void add_own_of_pane(Json& j, const PaneCheck& p)
+{
+    j["points"] = p.points;
+    j["boundary_points"] = p.boundary_points;
+    j["holes"] = p.holes;
+    j["segments"] = p.segments;
+    j["triangles"] = p.triangles;
+    j["area"] = p.area;
+    j["smallest_angle"] = p.smallest_angle;
+    j["locked"] = p.locked;
 }
 
 void add_own_of_graph(Json& j, const GraphFacts& g)
@@ -201,6 +246,26 @@ void add_graph(Table& t, const GraphFacts& g, const std::string& prefix)
     t.add(prefix + "smallest angle", g.smallest_angle ? rounded(*g.smallest_angle) + " degrees" : "none");
 }
 
+void add_pane(Table& t, const PaneCheck& p, const std::string& prefix)
+{
+    t.add(prefix + "points", std::to_string(p.points));
+    t.add(prefix + "boundary points", std::to_string(p.boundary_points));
+    t.add(prefix + "holes", std::to_string(p.holes));
+    t.add(prefix + "segments", std::to_string(p.segments));
+    t.add(prefix + "triangles", std::to_string(p.triangles));
+    t.add(prefix + "area", fmt::format("{} {}²", rounded(p.area), units));
+    t.add(prefix + "smallest angle", rounded(p.smallest_angle) + " degrees");
+    t.add(prefix + "locked", std::to_string(p.locked));
+}
+
+/// What graphs and panes have in common as lines.
+void add_lines(Table& t, const GraphFacts& g)
+{
+    t.add("bounding box", box_text(g.bounds));
+    if (g.edges > 0) t.add("edge length", lengths_text(g.shortest_edge, g.mean_edge, g.longest_edge));
+    t.add("vertices by valence", spread(g.valences, "edges"));
+}
+
 std::string met_text(const std::optional<SelfIntersections>& met)
 {
     if (!met) return "not looked for; --check does";
@@ -216,9 +281,10 @@ std::string info_json(const Scene& scene, std::string_view file, const std::opti
     const MeshFacts& m = facts.mesh;
     Json j;
     j["file"] = file;
-    j["kind"] = facts.only_graph ? "graph" : "mesh";
+    j["kind"] = facts.kind;
     j["units"] = units;
-    if (facts.only_graph) add_graph(j, *facts.graph);
+    if (facts.only_source && facts.graph) add_graph(j, *facts.graph);
+    else if (facts.only_source) add_pane(j, *facts.pane);
     else add_mesh(j, m);
     j["groups"] = groups_json(m, *scene.groups);
     j["selection"] = {{"faces", ids_json(scene.selection->faces)},
@@ -227,15 +293,18 @@ std::string info_json(const Scene& scene, std::string_view file, const std::opti
     j["parallel_edges"] = m.parallel_edges;
     j["point_spheres"] = m.point_spheres;
     j["zero_thickness_walls"] = m.zero_thickness_walls;
-    j["self_intersections"] = met && !facts.only_graph ? Json(met->pairs) : Json(nullptr);
-    if (facts.only_graph) {
-        add_own_of_graph(j, *facts.graph);
+    j["self_intersections"] = met && !facts.only_source ? Json(met->pairs) : Json(nullptr);
+    if (facts.only_source) {
+        if (facts.graph) add_own_of_graph(j, *facts.graph);
+        if (facts.pane) add_own_of_pane(j, facts.pane->own);
     } else if (facts.graph) {
         Json& g = j["graph"];
         g["vertices"] = facts.graph->vertices;
         g["edges"] = facts.graph->edges;
         g["components"] = facts.graph->components;
         add_own_of_graph(g, *facts.graph);
+    } else if (facts.pane) {
+        add_own_of_pane(j["pane"], facts.pane->own);
     }
     return j.dump(2, ' ', false, Json::error_handler_t::replace);
 }
@@ -245,14 +314,14 @@ std::string info_text(const Scene& scene, std::string_view file, const std::opti
     const Facts facts(scene);
     Table t;
     t.add("file", file);
-    t.add("kind", facts.only_graph ? "graph" : "mesh");
+    t.add("kind", facts.kind);
     t.add("units", units);
-    if (facts.only_graph) {
-        const GraphFacts& g = *facts.graph;
-        add_graph(t, g, "");
-        t.add("bounding box", box_text(g.bounds));
-        if (g.edges > 0) t.add("edge length", lengths_text(g.shortest_edge, g.mean_edge, g.longest_edge));
-        t.add("vertices by valence", spread(g.valences, "edges"));
+    if (facts.only_source && facts.graph) {
+        add_graph(t, *facts.graph, "");
+        add_lines(t, *facts.graph);
+    } else if (facts.only_source) {
+        add_pane(t, facts.pane->own, "");
+        add_lines(t, facts.pane->lines);
     } else {
         add_mesh(t, facts.mesh, *scene.groups);
     }
@@ -260,12 +329,13 @@ std::string info_text(const Scene& scene, std::string_view file, const std::opti
     t.add("selected faces", selected(selection.faces));
     t.add("selected edges", selected(selection.edges));
     t.add("selected vertices", selected(selection.vertices));
-    if (!facts.only_graph) {
+    if (!facts.only_source) {
         t.add("parallel edges", facts.mesh.parallel_edges);
         t.add("point spheres", facts.mesh.point_spheres);
         t.add("zero-thickness walls", facts.mesh.zero_thickness_walls);
         t.add("self-intersections", met_text(met));
         if (facts.graph) add_graph(t, *facts.graph, "graph ");
+        if (facts.pane) add_pane(t, facts.pane->own, "pane ");
     }
     return t.take();
 }

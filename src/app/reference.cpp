@@ -30,6 +30,7 @@ const char* unit_word(Unit unit)
     switch (unit) {
     case Unit::degrees: return "degrees";
     case Unit::length: return "length";
+    case Unit::area: return "area";
     case Unit::ratio: return "ratio";
     case Unit::count: return "count";
     case Unit::id: return "id";
@@ -63,6 +64,7 @@ Json parameter_json(const Operator& op, const Parameter& p)
     j["range"] = range_json(p.domain.range);
     j["length"] = p.fixed_length > 0 ? Json(p.fixed_length) : range_json(p.domain.length);
     j["words"] = p.domain.words;
+    if (p.repeated) j["repeated"] = true;
     Json excludes = Json::array();
     for (const auto& set : op.exclusive)
         if (std::ranges::find(set, p.name) != set.end())
@@ -98,6 +100,7 @@ std::string dump(const Json& j) { return j.dump(2, ' ', false, Json::error_handl
 std::string help_text(const Parameter& p)
 {
     if (p.required) return p.help + " (required)";
+    if (p.repeated) return p.help + " (may be repeated)";
     return p.governor.empty() ? p.help : fmt::format("{} ({}={})", p.help, p.governor, listing(p.governing));
 }
 

@@ -15,6 +15,7 @@ const Registry& all_operators()
         register_topology(r);
         register_rind(r);
         register_graph(r);
+        register_pane(r);
         register_mesh(r);
         register_check(r);
         register_document(r);

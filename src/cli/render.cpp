@@ -3,11 +3,10 @@
 #include "cli/console.h"
 #include "dlfl/errors.h"
 #include "io/output.h"
+#include "ops/shown_lines.h"
 #include "ops/smooth_surface.h"
 #include "render/png.h"
 #include "render/still.h"
-
-#include <variant>
 
 namespace druse {
 
@@ -16,8 +15,7 @@ namespace {
 Image picture_of(const Scene& scene, const RenderRequest& request, Progress& progress)
 {
     const GroupColours colours = [&](int group) { return scene.groups->colour(group); };
-    const Graph* graph = std::get_if<Graph>(&*scene.source);
-    if (scene.mesh.face_count() == 0 && graph) return draw_still(*graph, request.options);
+    if (const ShownLines lines(scene); lines.graph()) return draw_still(*lines.graph(), request.options);
     if (!request.smooth) return draw_still(scene.mesh, colours, request.options);
     try {
         const SmoothSurface surface(scene.mesh, progress);

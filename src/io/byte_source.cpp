@@ -2,6 +2,8 @@
 
 #include "dlfl/errors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -69,6 +71,22 @@ std::size_t ByteSource::read(char* into, std::size_t room)
     given_ += count;
     if (progress_) progress_->step(size_ && *size_ > 0 ? std::min(1.0, double(given_) / double(*size_)) : 0.0);
     return count;
+}
+
+std::vector<char> ByteSource::read_all(std::uint64_t most)
+{
+    std::vector<char> bytes(static_cast<std::size_t>(std::min(size_.value_or(1 << 16), most) + 1));
+    std::size_t used = 0;
+    while (true) {
+        const std::size_t wanted = std::min(bytes.size() - used, std::size_t(1) << 20); // between reads a person can stop it
+        const std::size_t count = read(bytes.data() + used, wanted);
+        used += count;
+        if (count < wanted) break;
+        if (used > most) throw InputError(name_, fmt::format("is larger than {} bytes", most));
+        if (used == bytes.size()) bytes.resize(static_cast<std::size_t>(std::min(2 * std::uint64_t(used), most + 1)));
+    }
+    bytes.resize(used);
+    return bytes;
 }
 
 std::string_view ByteSource::head(std::size_t count)

@@ -30,6 +30,8 @@ public:
 
     /// Fills up to `room` bytes; fewer only at the end, none after it. Throws InputError if the system cannot read on.
     std::size_t read(char* into, std::size_t room);
+    /// All bytes. Throws InputError if there are more than `most`.
+    std::vector<char> read_all(std::uint64_t most);
     /// The first bytes, as many as `count` if there are; read() gives them again. Precondition: nothing was read yet.
     std::string_view head(std::size_t count);
 

@@ -5,6 +5,7 @@
 #include "io/glb.h"
 #include "io/obj.h"
 #include "io/off.h"
+#include "io/pane_file.h"
 #include "io/ply.h"
 #include "io/stl.h"
 
@@ -24,6 +25,7 @@ constexpr Format all_formats[] = {
     {"off", "Object File Format", read_off, write_off},
     {"glb", "Binary glTF", read_gltf, write_glb},
     {"gltf", "glTF", read_gltf, write_gltf},
+    {"pane.json", "Pane", read_pane, write_pane},
 };
 
 std::string extensions()
@@ -39,6 +41,18 @@ char lower(char c)
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
 }
 
+/// The format whose name a text is, or ends in behind a dot: `pane.json` comes before `json` would.
+const Format* find(std::string_view text, bool as_ending)
+{
+    for (const Format& format : all_formats) {
+        const std::string_view name = format.extension;
+        if (as_ending ? text.size() <= name.size() || text[text.size() - name.size() - 1] != '.' : text.size() != name.size()) continue;
+        const std::string_view end = text.substr(text.size() - name.size());
+        if (std::equal(end.begin(), end.end(), name.begin(), [](char a, char b) { return lower(a) == b; })) return &format;
+    }
+    return nullptr;
+}
+
 } // namespace
 
 std::span<const Format> formats()
@@ -48,15 +62,13 @@ std::span<const Format> formats()
 
 const Format& format_named(std::string_view name, const std::string& where)
 {
-    for (const Format& format : all_formats)
-        if (std::equal(name.begin(), name.end(), format.extension.begin(), format.extension.end(),
-                       [](char a, char b) { return lower(a) == b; }))
-            return format;
+    if (const Format* format = find(name, false)) return *format;
     throw InputError(where, fmt::format("unknown format '{}'; expected {}", name, extensions()));
 }
 
 const Format& format_of(const std::filesystem::path& path)
 {
+    if (const Format* format = find(path.filename().string(), true)) return *format;
     const std::string extension = path.extension().string();
     if (extension.size() < 2)
         throw InputError(path.string(), fmt::format("a name without a format; expected one that ends in {}", extensions()));

@@ -26,22 +26,6 @@ constexpr std::uint64_t largest_file = 0xffffffff;
 /// Descriptions are about ten levels deep; tinygltf walks through extras by recursion.
 constexpr int deepest = 100;
 
-std::vector<char> all_bytes(ByteSource& source)
-{
-    std::vector<char> bytes(static_cast<std::size_t>(std::min(source.size().value_or(1 << 16), largest_file) + 1));
-    std::size_t used = 0;
-    while (true) {
-        const std::size_t wanted = std::min(bytes.size() - used, std::size_t(1) << 20); // between reads a person can stop it
-        const std::size_t count = source.read(bytes.data() + used, wanted);
-        used += count;
-        if (count < wanted) break;
-        if (used > largest_file) throw InputError(source.name(), fmt::format("is larger than {} bytes", largest_file));
-        if (used == bytes.size()) bytes.resize(static_cast<std::size_t>(std::min(2 * std::uint64_t(used), largest_file + 1)));
-    }
-    bytes.resize(used);
-    return bytes;
-}
-
 struct Parts {
     std::string_view description, binary;
 };
@@ -125,7 +109,7 @@ GlbFile::GlbFile(ByteSource& source)
         kept_.push_back(std::move(bytes));
         return std::string_view(kept_.back().data(), kept_.back().size());
     };
-    const Parts parts = take_apart(keep(all_bytes(source)), source.name());
+    const Parts parts = take_apart(keep(source.read_all(largest_file)), source.name());
     json document = parse(parts.description, source.name());
 
     const json list = document.value("buffers", json::array());
@@ -155,7 +139,7 @@ GlbFile::GlbFile(ByteSource& source)
             const auto path = source.find_side_file(decoded_uri(text));
             if (!path) fail("lies in a file that is not there");
             ByteSource file = ByteSource::file(*path);
-            bytes = files[text] = keep(all_bytes(file));
+            bytes = files[text] = keep(file.read_all(largest_file));
             total += bytes.size();
             if (total > largest_file) fail(fmt::format("is too much: more than {} bytes in files", largest_file));
         }

@@ -4,6 +4,7 @@
 #include "dlfl/mesh.h"
 #include "dlfl/rind.h"
 #include "graph/graph.h"
+#include "pane/pane.h"
 
 #include <optional>
 #include <string>
@@ -11,12 +12,13 @@
 
 namespace druse {
 
-/// What a file holds: a mesh with its groups and the table of its rind, a graph, or both.
+/// What a file holds: a mesh with its groups and the table of its rind, and a source: a graph or a pane.
 struct Model {
     Mesh mesh;
     Rind rind{};
     GroupTable groups;
     std::optional<Graph> graph;
+    std::optional<Pane> pane;
     std::vector<std::string> notes; // what the reader mended or left out, one line each
 };
 
@@ -26,6 +28,7 @@ struct ModelView {
     const GroupTable& groups;
     const Graph* graph = nullptr;
     const Rind* rind = nullptr;
+    const Pane* pane = nullptr;
 };
 
 } // namespace druse

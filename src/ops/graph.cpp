@@ -9,8 +9,7 @@ namespace druse {
 
 const Graph& graph_of(const Scene& scene)
 {
-    if (const Graph* graph = std::get_if<Graph>(&*scene.source)) return *graph;
-    throw CommandError("the document holds no graph; graph.wireframe makes one of the edges of a mesh");
+    return held<Graph>(scene.source, "graph", "graph.wireframe makes one of the edges of a mesh");
 }
 
 namespace {
@@ -24,7 +23,7 @@ void run_wireframe(Scene& scene, const Wireframe& p, Context&)
 {
     Graph graph = edge_graph(scene.mesh, p.edges.resolve(scene));
     if (graph.edges.empty()) throw CommandError("there are no edges between two vertices");
-    scene.source = Source(std::move(graph));
+    scene.source.replace_with(std::move(graph));
     if (!p.keep) scene.mesh.clear();
 }
 

@@ -15,7 +15,7 @@ void run_lattice(Scene& scene, const Lattice& p, Context& context)
 {
     LatticeShape shape = p;
     if (p.radius.word.empty()) shape.size = p.radius.value;
-    scene.source = Source(lattice(shape, context.progress));
+    scene.source.replace_with(lattice(shape, context.progress));
 }
 
 } // namespace

@@ -46,7 +46,7 @@ void run_map(Scene& scene, const MapParameters& p, Context& context)
     shape.rho = unless_auto(p.rho_or_auto);
     const Graph nothing, solid = p.to == MapTo::polyhedron ? unit_graph(p.solid) : Graph();
     const Graph* graph = std::get_if<Graph>(&*scene.source);
-    scene.source = Source(map_disk(graph ? *graph : nothing, shape, solid, context.notes, context.progress));
+    scene.source.replace_with(map_disk(graph ? *graph : nothing, shape, solid, context.notes, context.progress));
 }
 
 } // namespace

@@ -68,7 +68,7 @@ void run_tess(Scene& scene, const TessParameters& p, Context& context)
         else scene.mesh.append(disk);
         scene.selection.edit().faces = std::move(made);
     }
-    scene.source = Source(std::move(tess.graph));
+    scene.source.replace_with(std::move(tess.graph));
 }
 
 } // namespace

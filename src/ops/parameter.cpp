@@ -11,6 +11,7 @@ const char* name(Unit unit)
     switch (unit) {
     case Unit::degrees: return "degrees";
     case Unit::length: return "model units";
+    case Unit::area: return "square model units";
     default: return "";
     }
 }

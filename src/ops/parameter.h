@@ -19,7 +19,7 @@
 
 namespace druse {
 
-enum class Unit { none, degrees, length, ratio, count, id };
+enum class Unit { none, degrees, length, area, ratio, count, id };
 const char* name(Unit unit); // as in messages: "degrees", "model units", …; empty for none
 
 /// The numbers a parameter takes.
@@ -82,6 +82,7 @@ struct Parameter {
     std::string default_text; // empty: unset, or required
     bool required = false;
     bool optional = false;    // may stay unset
+    bool repeated = false;    // a command may give it several times; as one text with blanks between the values
     std::string governor{};   // counts only where this parameter, of words, has one of these; elsewhere it must not be given
     std::vector<std::string> governing{};
 
@@ -298,6 +299,7 @@ Parameter make_parameter(T B::*member, std::string_view name, std::string_view h
     result.type = ParameterType<Value>::type;
     result.fixed_length = fixed_length<Value>;
     result.optional = IsOptional<T>::value;
+    result.repeated = requires { ParameterType<Value>::repeated; };
     result.read = [member](void* p, std::string_view t, const Domain& d) { static_cast<P*>(p)->*member = ParameterType<Value>::parse(t, d); };
     result.write = [member](const void* p, const Domain& d) -> std::string {
         const T& value = static_cast<const P*>(p)->*member;

@@ -38,6 +38,7 @@ void register_remesh(Registry& registry);
 void register_topology(Registry& registry);
 void register_rind(Registry& registry);
 void register_graph(Registry& registry);
+void register_pane(Registry& registry);
 void register_mesh(Registry& registry);
 void register_check(Registry& registry);
 

@@ -17,7 +17,7 @@ using namespace remesh;
 
 enum class TriangulationMethod { ear, center, fan };
 
-struct Triangulation {
+struct TriangulateFaces {
     FaceSelector faces = FaceSelector::all();
     TriangulationMethod method = TriangulationMethod::ear;
     RemeshGroups groups = RemeshGroups::keep;
@@ -135,7 +135,7 @@ void cut_as_drawn(const Mesh& mesh, Face f, Triangulator& triangulator, std::vec
     for (const auto& [a, b, c] : triangulator.triangles(mesh, f)) triangles.push_back({number(a), number(b), number(c)});
 }
 
-void triangulate(Scene& scene, const Triangulation& p, Context& context)
+void triangulate(Scene& scene, const TriangulateFaces& p, Context& context)
 {
     const Mesh& mesh = scene.mesh;
     const OldMesh old(mesh, 2);
@@ -178,10 +178,10 @@ void triangulate(Scene& scene, const Triangulation& p, Context& context)
 
 void add_remesh_triangulate(Registry& registry)
 {
-    auto definition = define<Triangulation>("remesh.triangulate", "Cut faces into triangles");
-    definition.param(&Triangulation::faces, "faces", "faces to cut")
-        .param(&Triangulation::method, "method", words({"ear", "center", "fan"}), "right for concave faces too, around a new vertex, or from the start corner")
-        .param(&Triangulation::groups, "groups", words({"absolute", "keep", "none"}), "group ids: 1 for triangles, of the old faces, or none")
+    auto definition = define<TriangulateFaces>("remesh.triangulate", "Cut faces into triangles");
+    definition.param(&TriangulateFaces::faces, "faces", "faces to cut")
+        .param(&TriangulateFaces::method, "method", words({"ear", "center", "fan"}), "right for concave faces too, around a new vertex, or from the start corner")
+        .param(&TriangulateFaces::groups, "groups", words({"absolute", "keep", "none"}), "group ids: 1 for triangles, of the old faces, or none")
         .keeps_euler()
         .example("remesh.triangulate method=center")
         .cites("Meisters 1975")

@@ -3,10 +3,9 @@
 #include "dlfl/group_table.h"
 #include "dlfl/mesh.h"
 #include "dlfl/rind.h"
-#include "graph/graph.h"
+#include "ops/source.h"
 
 #include <memory>
-#include <variant>
 #include <vector>
 
 namespace druse {
@@ -43,16 +42,13 @@ struct Selection {
     friend bool operator==(const Selection&, const Selection&) = default;
 };
 
-/// What operators make a mesh from, edited by its own family. A document holds at most one.
-using Source = std::variant<std::monostate, Graph>;
-
 /// What an operator may change: one mesh, which of its faces are a crust's, its groups, what is selected, and at most one source.
 struct Scene {
     Mesh mesh;
     Rind rind;
     Shared<GroupTable> groups;
     Shared<Selection> selection;
-    Shared<Source> source;
+    HeldSource source;
 };
 
 /// Closes the holes of the mesh; the selection and the rind keep what is left of them, by its new ids. Cost: O(selection) where there are none.

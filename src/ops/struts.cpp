@@ -205,7 +205,7 @@ void make_struts(Scene& scene, const Struts& p, Context& context)
     graph.struts.first_face = p.keep ? scene.mesh.face_limit() : 0;
     put_in_place(scene, std::move(made.mesh), p.keep, met);
     graph.struts.mesh = scene.mesh.counts();
-    scene.source = Source(std::move(graph));
+    scene.source.replace_with(std::move(graph));
 }
 
 Operator graph_struts_operator()

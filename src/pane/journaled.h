@@ -11,7 +11,8 @@ namespace druse {
 /// A flat array that, while an edit is recorded, remembers what the edit overwrites, block by block of 2^block_bits elements.
 ///
 /// An edit of a pane touches some tens of elements, so they are kept one by one (a Column keeps pages of a thousand, for edits of whole
-/// meshes). Going back puts them in place again in the reverse order and cuts off what was added at the end: the bytes are those of before.
+/// meshes), repeats and all as long as they are few. Going back puts them in place again in the reverse order and cuts off what was
+/// added at the end: the bytes are those of before.
 template <class T, unsigned block_bits = 0>
 class Journaled {
 public:
@@ -31,6 +32,7 @@ public:
         std::size_t bytes() const { return kept.capacity() * sizeof(Kept) + tail.capacity() * sizeof(T); }
     };
 
+    std::size_t bytes() const { return items_.capacity() * sizeof(T) + kept_.capacity() * sizeof(Kept); }
     std::uint32_t size() const { return static_cast<std::uint32_t>(items_.size()); }
     const T& operator[](std::uint32_t i) const { return items_[i]; }
     const T* data() const { return items_.data(); }
@@ -85,19 +87,27 @@ public:
         recording_ = false;
     }
 
-    /// From the later state of a change to the earlier one; `change` then leads forwards.
-    void undo(Change& change)
+    /// Takes the memory that undo(), or else redo(), needs, so that they cannot fail.
+    void prepare(Change& change, bool to_undo)
+    {
+        if (to_undo) change.tail.reserve(items_.size() - change.size);
+        else items_.reserve(change.size + change.tail.size());
+    }
+
+    /// From the later state of a change to the earlier one; `change` then leads forwards. Precondition: prepare()
+    void undo(Change& change) noexcept
     {
         change.tail.assign(items_.begin() + change.size, items_.end());
         items_.erase(items_.begin() + change.size, items_.end());
         for (std::size_t i = change.kept.size(); i-- > 0;) exchange(change.kept[i]);
     }
 
-    /// From the earlier state to the later one.
-    void redo(Change& change)
+    /// From the earlier state to the later one. Precondition: prepare()
+    void redo(Change& change) noexcept
     {
         for (Kept& kept : change.kept) exchange(kept);
         items_.insert(items_.end(), change.tail.begin(), change.tail.end());
+        change.tail = {};
     }
 
 private:
@@ -106,9 +116,21 @@ private:
 
     void remember(std::uint32_t block)
     {
+        if (kept_.size() >= 2 * std::size_t(known_ >> block_bits) + 64) [[unlikely]] forget_repeats();
         Kept& kept = kept_.emplace_back();
         kept.block = block;
         std::copy_n(place(block), block_size, kept.value.begin());
+    }
+
+    /// Of a block that was kept again and again, the first value is that of before. So a recording is never more than twice the array.
+    void forget_repeats()
+    {
+        std::vector<bool> met(known_ >> block_bits);
+        std::erase_if(kept_, [&](const Kept& kept) {
+            const bool repeats = met[kept.block];
+            met[kept.block] = true;
+            return repeats;
+        });
     }
 
     std::vector<T> items_;

@@ -1,5 +1,9 @@
 #include "pane/pane.h"
 
+#ifdef DRUSE_FULL_CHECKS
+#include "pane/pane_check.h"
+#endif
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -89,7 +93,9 @@ Pane::Pane(std::span<const Point2> loop, std::span<const std::vector<Point2>> ho
         const auto ring = std::span(vertices).subspan(first, rings[i].size());
         first += ring.size();
         loops_.add(ring[0]);
-        if (orientation(rings[i]) == (i == 0 ? -1 : 1)) report_.notes.push_back(fmt::format("loop {} was turned round", i));
+        const bool outer = i == 0;
+        if (orientation(rings[i]) == (outer ? -1 : 1))
+            report_.notes.push_back(outer ? "clockwise: the loop was turned round" : fmt::format("anticlockwise: hole {} was turned round", i - 1));
         for (std::size_t k = 0; k < ring.size(); ++k) {
             make_boundary(ring[k], static_cast<Index>(i));
             pend(ring[k], ring[k + 1 == ring.size() ? 0 : k + 1], Triangulation::loop_bit);
@@ -97,6 +103,20 @@ Pane::Pane(std::span<const Point2> loop, std::span<const std::vector<Point2>> ho
     }
     loops_changed_ = true;
     settle();
+}
+
+/// Calls f with each array that edits record, and with what a change keeps of it.
+template <class Self, class F>
+void Pane::for_arrays(Self& self, F&& f)
+{
+    f(self.triangulation_, &Change::triangulation);
+    f(self.points_, &Change::points);
+    f(self.vertex_of_, &Change::vertex_of);
+    f(self.loops_, &Change::loops);
+    f(self.first_twin_, &Change::first_twin);
+    f(self.knots_, &Change::knots);
+    f(self.segments_, &Change::segments);
+    f(self.twins_, &Change::twins);
 }
 
 // --- edits --------------------------------------------------------------------------------------------------------------------------
@@ -110,14 +130,7 @@ void Pane::begin()
     new_pieces_.clear();
     loose_crossings_.clear();
     before_ = state_;
-    triangulation_.begin();
-    points_.begin();
-    vertex_of_.begin();
-    knots_.begin();
-    segments_.begin();
-    loops_.begin();
-    first_twin_.begin();
-    twins_.begin();
+    for_arrays(*this, [](auto& array, auto) { array.begin(); });
 }
 
 /// Makes edges of what is pending, and flags what is inside.
@@ -142,14 +155,11 @@ void Pane::settle()
 void Pane::finish()
 {
     settle();
-    triangulation_.end();
-    points_.end();
-    vertex_of_.end();
-    knots_.end();
-    segments_.end();
-    loops_.end();
-    first_twin_.end();
-    twins_.end();
+    for_arrays(*this, [](auto& array, auto) { array.end(); });
+#ifdef DRUSE_FULL_CHECKS
+    const PaneCheck found = check(*this);
+    if (!found.sound()) throw InternalError("internal error: an edit left a pane that is not sound: " + found.faults.front());
+#endif
     if (listener_ == nullptr) return;
     for (const auto& split : report_.splits) listener_->split(split.made, split.from, split.to);
     for (const auto& merge : report_.merged) listener_->merged(merge.gone, merge.into);
@@ -158,14 +168,7 @@ void Pane::finish()
 
 void Pane::roll_back() noexcept
 {
-    triangulation_.roll_back();
-    points_.roll_back();
-    vertex_of_.roll_back();
-    knots_.roll_back();
-    segments_.roll_back();
-    loops_.roll_back();
-    first_twin_.roll_back();
-    twins_.roll_back();
+    for_arrays(*this, [](auto& array, auto) { array.roll_back(); });
     state_ = before_;
     report_.clear();
 }
@@ -176,36 +179,33 @@ std::size_t Pane::Change::bytes() const
            segments.bytes() + twins.bytes();
 }
 
+std::size_t Pane::bytes() const
+{
+    std::size_t sum = 0;
+    for_arrays(*this, [&](const auto& array, auto) { sum += array.bytes(); });
+    return sum;
+}
+
 Pane::Change Pane::take_change()
 {
-    return {triangulation_.take(), points_.take(), vertex_of_.take(), loops_.take(), first_twin_.take(), knots_.take(), segments_.take(),
-            twins_.take(), before_};
+    Change change;
+    for_arrays(*this, [&](auto& array, auto part) { change.*part = array.take(); });
+    change.state = before_;
+    return change;
 }
 
 void Pane::undo(Change& change)
 {
-    triangulation_.undo(change.triangulation);
-    points_.undo(change.points);
-    vertex_of_.undo(change.vertex_of);
-    loops_.undo(change.loops);
-    first_twin_.undo(change.first_twin);
-    knots_.undo(change.knots);
-    segments_.undo(change.segments);
-    twins_.undo(change.twins);
+    for_arrays(*this, [&](auto& array, auto part) { array.prepare(change.*part, true); });
+    for_arrays(*this, [&](auto& array, auto part) { array.undo(change.*part); });
     std::swap(state_, change.state);
     report_.clear();
 }
 
 void Pane::redo(Change& change)
 {
-    triangulation_.redo(change.triangulation);
-    points_.redo(change.points);
-    vertex_of_.redo(change.vertex_of);
-    loops_.redo(change.loops);
-    first_twin_.redo(change.first_twin);
-    knots_.redo(change.knots);
-    segments_.redo(change.segments);
-    twins_.redo(change.twins);
+    for_arrays(*this, [&](auto& array, auto part) { array.prepare(change.*part, false); });
+    for_arrays(*this, [&](auto& array, auto part) { array.redo(change.*part); });
     std::swap(state_, change.state);
     report_.clear();
 }

@@ -162,6 +162,8 @@ public:
     std::size_t boundary_count() const { return state_.boundary_points; }
     std::size_t hole_count() const { return loops_.size() - 1; }
     std::size_t segment_count() const { return state_.segments; }
+    std::size_t triangle_count() const { return 2 * point_count() + 2 * hole_count() - boundary_count() - 2; } // inside, as Euler's formula says
+    std::size_t edge_count() const { return 3 * point_count() + 3 * hole_count() - boundary_count() - 3; }
     PointId next_point() const { return PointId(vertex_of_.size()); }
     SegmentId next_segment() const { return SegmentId(segments_.size()); }
     bool exists(PointId point) const { return std::uint32_t(point) < vertex_of_.size() && vertex_of_[std::uint32_t(point)] != none; }
@@ -169,6 +171,7 @@ public:
     const Point2& position(PointId point) const { return triangulation_.position(vertex(point)); }
     PointKind kind(PointId point) const { return points_[vertex(point)].kind; }
     bool is_locked(PointId point) const { return points_[vertex(point)].locked; }
+    bool is_refined(PointId point) const { return points_[vertex(point)].refined; } // by the last refinement
     std::vector<PointId> points() const; // ascending
     std::vector<PointId> loop(std::size_t i) const; // 0: the outer one; each with the inside to its left, from its smallest id
     std::vector<SegmentId> segments() const;
@@ -197,6 +200,9 @@ public:
     const PaneReport& report() const { return report_; } // of the last edit
     void set_listener(PaneListener* listener) { listener_ = listener; }
     std::uint64_t fingerprint() const; // of every byte that an edit could change
+    std::size_t bytes() const;         // of memory, beside the pane itself
+    /// The same to everyone who asks by ids, wherever it lies in memory. Cost: n log n.
+    friend bool operator==(const Pane& a, const Pane& b);
 
     // --- going back --------------------------------------------------------------------------------------------------------------------------
     struct PointData {
@@ -313,10 +319,14 @@ private:
     friend Pane restore(const struct PaneRecord& record);
     void take_ids(std::span<const std::uint32_t> ids, std::span<const std::uint32_t> new_of, std::uint32_t next);
     void take_segment(std::uint32_t id, std::span<const PointId> path);
+    void take_marks(std::span<const PointId> crossings, std::span<const PointId> refined);
     void skip_segments(std::uint32_t next);
 
     // loops
     void flood();
+
+    template <class Self, class F>
+    static void for_arrays(Self& self, F&& f);
 
     Triangulation triangulation_;
     Journaled<PointData> points_;      // by vertex

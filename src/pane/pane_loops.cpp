@@ -80,7 +80,7 @@ Index Pane::nearest_loop_edge(const Point2& p) const
             const Index w = loop_neighbours(v).second;
             const Point2 a = triangulation_.position(v), u = triangulation_.position(w) - a;
             const double along = std::clamp(glm::dot(p - a, u) / glm::dot(u, u), 0.0, 1.0), far = glm::length(p - a - along * u);
-            if (far < least) {
+            if (far < least || (far == least && best != none && id(v) < id(best))) {
                 least = far;
                 best = v;
             }

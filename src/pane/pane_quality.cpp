@@ -12,6 +12,31 @@ namespace druse {
 
 using Index = Pane::Index;
 
+namespace {
+
+// What is made in turn follows the places of points, never the numbers of faces and vertices: those differ between a pane and the same one read from a
+// file.
+
+/// The side of a face that begins at the first of its corners by x, then y.
+Index first_side(const Triangulation& t, Index face)
+{
+    Index first = Triangulation::face(face);
+    for (Index h = first + 1; h < (face | 3); ++h)
+        if (is_before(t.position(t.origin(h)), t.position(t.origin(first)))) first = h;
+    return first;
+}
+
+/// Of the sides that leave a vertex, the one whose end is the first by x, then y.
+Index first_out(const Triangulation& t, Index v)
+{
+    Index first = t.out(v);
+    for (Index h = t.turn(first); h != t.out(v); h = t.turn(h))
+        if (is_before(t.position(t.target(h)), t.position(t.target(first)))) first = h;
+    return first;
+}
+
+} // namespace
+
 /// One refinement of a pane. Edges that a point lies too near to (within the circle on them) are halved first; then bad triangles get a point at the centre
 /// of their circle, unless that would come too near to such an edge: then that is halved instead.
 class Refiner {
@@ -26,8 +51,14 @@ public:
     {
         for (Index v = 0; v < t_.vertex_end(); ++v)
             if (pane_.points_[v].refined) pane_.points_.change(v).refined = false;
+        std::vector<Index> faces;
         for (Index h = 0; h < t_.side_end(); h += 4)
-            if (t_.is_face(h) && t_.is_inside(h)) look_at(h);
+            if (t_.is_face(h) && t_.is_inside(h)) faces.push_back(first_side(t_, h));
+        std::sort(faces.begin(), faces.end(), [&](Index f, Index g) {
+            const Point2 &p = at(t_.origin(f)), &q = at(t_.origin(g));
+            return p != q ? is_before(p, q) : is_before(at(t_.target(f)), at(t_.target(g))); // two faces at a corner have other next ones
+        });
+        for (const Index h : faces) look_at(h);
         while (result_.complete) {
             if (!edges_.empty()) {
                 const auto [u, v] = edges_.front();
@@ -76,11 +107,12 @@ private:
     Index falls_short(Index face) const
     {
         std::array<std::pair<double, Index>, 3> sides;
-        for (Index k = 0; k < 3; ++k) {
-            const Index h = Triangulation::face(face) + k;
-            sides[k] = {glm::length(at(t_.origin(h)) - at(t_.target(h))), h};
+        Index h = first_side(t_, face);
+        for (auto& side : sides) {
+            side = {glm::length(at(t_.origin(h)) - at(t_.target(h))), h};
+            h = Triangulation::next(h);
         }
-        std::sort(sides.begin(), sides.end());
+        std::stable_sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         const Index least = sides[0].second;
         const Point2 u = at(t_.target(least)) - at(t_.origin(least)), w = at(t_.apex(least)) - at(t_.origin(least));
         const double doubled = u.x * w.y - u.y * w.x;
@@ -103,16 +135,17 @@ private:
 
     void look_at(Index face)
     {
-        for (Index h = Triangulation::face(face); h < (face | 3); ++h)
+        const Index first = first_side(t_, face);
+        for (const Index h : {first, Triangulation::next(first), Triangulation::previous(first)})
             if (t_.is_fixed(h) && is_crowded(h)) edges_.emplace_back(t_.origin(h), t_.target(h));
-        if (is_bad(face)) triangles_.push_back({t_.origin(face), t_.target(face), t_.apex(face)});
+        if (is_bad(face)) triangles_.push_back({t_.origin(first), t_.target(first), t_.apex(first)});
     }
 
     void made(Index v)
     {
         ++result_.made;
         pane_.points_.change(v).refined = true;
-        const Index first = t_.out(v);
+        const Index first = first_out(t_, v);
         Index h = first;
         do {
             if (t_.is_inside(h)) look_at(h);
@@ -164,7 +197,7 @@ private:
             if (const Index side = t_.find_side(a, b); side != Pane::none && is_crowded(side)) edges_.emplace_back(a, b);
     }
 
-    /// A point at the centre of the triangle's circle, if nothing is in the way.
+    /// A point at the centre of the triangle's circle, if nothing is in the way. `face` is its first side.
     void mend(Index face)
     {
         const Index a = t_.origin(face), b = t_.target(face), c = t_.apex(face);
@@ -178,7 +211,8 @@ private:
         Index h = Triangulation::face(face), came = Pane::none;
         while (true) {
             Index through = Pane::none;
-            for (Index side = Triangulation::face(h); side < (h | 3); ++side)
+            const Index first = first_side(t_, h);
+            for (const Index side : {first, Triangulation::next(first), Triangulation::previous(first)})
                 if (side != came && orient(at(t_.origin(side)), at(t_.target(side)), centre) < 0 && orient(start, centre, at(t_.origin(side))) <= 0 &&
                     orient(start, centre, at(t_.target(side))) >= 0)
                     through = side;
@@ -191,8 +225,9 @@ private:
         // The faces that would make room for the centre, and the lines around them.
         std::vector<Index> room{h};
         bool crowded = false;
-        for (std::size_t i = 0; i < room.size(); ++i)
-            for (Index side = room[i]; side < (room[i] | 3); ++side) {
+        for (std::size_t i = 0; i < room.size(); ++i) {
+            const Index first = first_side(t_, room[i]);
+            for (const Index side : {first, Triangulation::next(first), Triangulation::previous(first)}) {
                 if (t_.is_fixed(side)) {
                     if (!sees_within_circle(side, centre)) continue;
                     crowded = true;
@@ -204,6 +239,7 @@ private:
                     incircle(at(t_.origin(beyond)), at(t_.target(beyond)), at(t_.apex(beyond)), centre) > 0)
                     room.push_back(beyond);
             }
+        }
         if (!crowded) {
             const auto place = t_.locate(centre, h);
             if (!t_.is_inside(place.side) || (place.kind == Triangulation::Place::Kind::side && t_.is_fixed(place.side))) return;
@@ -246,8 +282,9 @@ Pane::Refined Pane::refine(const Refinement& refinement)
 void Pane::unrefine()
 {
     edit([&] {
-        for (Index v = 0; v < points_.size(); ++v) {
-            if (!points_[v].refined || points_[v].locked) continue;
+        for (std::uint32_t i = 0; i < vertex_of_.size(); ++i) {
+            const Index v = vertex_of_[i];
+            if (v == none || !points_[v].refined || points_[v].locked) continue;
             bool ends_here = false;
             for (Index k = points_[v].first_knot; k != none; k = knots_[k].sibling)
                 ends_here |= knots_[k].previous == none || knots_[k].next == none;
@@ -264,13 +301,15 @@ void Pane::spread(int rounds)
     if (rounds < 1 || rounds > 100) refuse(Reason::range, fmt::format("rounds={}: expected 1 to 100", rounds));
     edit([&] {
         for (int round = 0; round < rounds; ++round)
-            for (Index v = 0; v < points_.size(); ++v) {
+            for (std::uint32_t i = 0; i < vertex_of_.size(); ++i) {
+                const Index v = vertex_of_[i];
+                if (v == none) continue;
                 const PointData& point = points_[v];
-                if (point.id == PointId(none) || point.kind != PointKind::interior || point.locked || point.first_knot != none) continue;
+                if (point.kind != PointKind::interior || point.locked || point.first_knot != none) continue;
                 // The middle of the triangles around it, by area, stands for that of its Voronoi cell.
                 Point2 sum(0);
                 double weight = 0;
-                const Index first = triangulation_.out(v);
+                const Index first = first_out(triangulation_, v);
                 Index h = first;
                 do {
                     const Point2 &p = triangulation_.position(v), &a = triangulation_.position(triangulation_.target(h));

@@ -8,6 +8,7 @@ namespace druse {
 
 namespace {
 
+using Index = Pane::Index;
 using Number = PaneRecord::Number;
 using Reason = PaneRefusal::Reason;
 
@@ -22,6 +23,8 @@ PaneRecord record(const Pane& pane)
         found.points.push_back(pane.position(point));
         found.ids.push_back(Number(point));
         if (pane.is_locked(point)) found.locked.push_back(number[std::size_t(point)]);
+        if (pane.kind(point) == PointKind::crossing) found.crossings.push_back(number[std::size_t(point)]);
+        if (pane.is_refined(point)) found.refined.push_back(number[std::size_t(point)]);
     }
     const auto numbers = [&](const std::vector<PointId>& ids) {
         std::vector<Number> list;
@@ -94,18 +97,34 @@ Pane restore(const PaneRecord& record)
         std::vector<PointId> path;
         for (const Number i : chain) path.push_back(PointId(record.ids[checked(i)]));
         pane.take_segment(id, path);
+        if (pane.point_count() != count) fail(Reason::unresolvable, fmt::format("segment {} crosses another where the record has no point", id));
     }
     pane.skip_segments(record.next_segment);
-    if (pane.point_count() != count) fail(Reason::unresolvable, "segments of the record cross where it has no point");
     for (const auto& [id, chain] : record.segments) {
         const auto equal = [&](PointId point, Number i) { return Number(point) == record.ids[i]; };
         if (!std::ranges::equal(pane.chain(SegmentId(id)), chain, equal))
             fail(Reason::unresolvable, fmt::format("segment {} meets more than its points", id));
     }
-    std::vector<PointId> locked;
-    for (const Number i : record.locked) locked.push_back(PointId(record.ids[checked(i)]));
-    pane.lock(locked);
+    const auto ids = [&](const std::vector<Number>& numbers) {
+        std::vector<PointId> points;
+        for (const Number i : numbers) points.push_back(PointId(record.ids[checked(i)]));
+        return points;
+    };
+    for (const Number i : record.crossings)
+        if (bounds[checked(i)]) fail(Reason::boundary_touches, fmt::format("point number {} is of the boundary, not a crossing", i));
+    pane.take_marks(ids(record.crossings), ids(record.refined));
+    pane.lock(ids(record.locked));
     return pane;
+}
+
+bool operator==(const Pane& a, const Pane& b)
+{
+    if (record(a) != record(b) || a.twins_.size() != b.twins_.size()) return false;
+    for (Index i = 0; i < a.twins_.size(); ++i) {
+        const Pane::Twin &s = a.twins_[i], &t = b.twins_[i];
+        if (s.point != t.point || s.other != t.other || s.map.x != t.map.x || s.map.y != t.map.y || s.map.shift != t.map.shift) return false;
+    }
+    return true;
 }
 
 /// The points take other ids: ids[k] is that of the point new_of[k].
@@ -140,6 +159,15 @@ void Pane::take_segment(std::uint32_t id, std::span<const PointId> path)
             if (last != none) pend(knots_[last].vertex, v, Triangulation::segment_bit);
             last = add_knot(v, segment, last);
         }
+        return 0;
+    });
+}
+
+void Pane::take_marks(std::span<const PointId> crossings, std::span<const PointId> refined)
+{
+    edit([&] {
+        for (const PointId point : crossings) points_.change(vertex(point)).kind = PointKind::crossing;
+        for (const PointId point : refined) points_.change(vertex(point)).refined = true;
         return 0;
     });
 }

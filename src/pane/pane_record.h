@@ -21,6 +21,7 @@ struct PaneRecord {
     std::vector<std::array<Number, 3>> triangles;              // counter-clockwise
     std::vector<std::pair<Number, std::vector<Number>>> segments; // id, and the points of the chain
     std::vector<Number> locked;
+    std::vector<Number> crossings, refined; // points that two segments made, and those of the last refinement
     double snap = 0, weld = 0;
     Number next_point = 0, next_segment = 0;
 
@@ -30,8 +31,7 @@ struct PaneRecord {
 PaneRecord record(const Pane& pane);
 
 /// The pane that a record tells of; `constraints` and `triangles` follow from the rest and are not read. Throws PaneRefusal where the record is
-/// none of a pane: a number out of range, loops that are no boundary, a segment that meets more than its points. Which points are crossings a record
-/// does not tell: they are interior points afterwards.
+/// none of a pane: a number out of range, loops that are no boundary, a segment that meets more than its points.
 Pane restore(const PaneRecord& record);
 
 } // namespace druse

@@ -145,13 +145,13 @@ Index Pane::double_of(Index segment) const
         }
         return i == none && k == none;
     };
+    Index found = none; // of several the first, whatever the order of knots
     for (Index k = points_[knots_[first].vertex].first_knot; k != none; k = knots_[k].sibling) {
         const Index other = knots_[k].segment;
-        if (other == segment) continue;
-        if (segments_[other].first == k && runs_along(k, true)) return other;
-        if (segments_[other].last == k && runs_along(k, false)) return other;
+        if (other == segment || other >= found) continue;
+        if ((segments_[other].first == k && runs_along(k, true)) || (segments_[other].last == k && runs_along(k, false))) found = other;
     }
-    return none;
+    return found;
 }
 
 // --- pieces become edges ------------------------------------------------------------------------------------------------------------
@@ -398,11 +398,13 @@ void Pane::unconstrain(SegmentId segment)
 void Pane::unconstrain(PointId from, PointId to)
 {
     const Index u = vertex_asked(from), v = vertex_asked(to);
+    Index found = none; // of several the first
     for (Index k = points_[u].first_knot; k != none; k = knots_[k].sibling) {
         const auto [first, last] = segments_[knots_[k].segment];
-        if ((first == k && knots_[last].vertex == v) || (last == k && knots_[first].vertex == v)) return unconstrain(SegmentId(knots_[k].segment));
+        if ((first == k && knots_[last].vertex == v) || (last == k && knots_[first].vertex == v)) found = std::min(found, knots_[k].segment);
     }
-    refuse(Reason::no_such_segment, fmt::format("no segment runs from {} to {}", text(u), text(v)));
+    if (found == none) refuse(Reason::no_such_segment, fmt::format("no segment runs from {} to {}", text(u), text(v)));
+    unconstrain(SegmentId(found));
 }
 
 } // namespace druse

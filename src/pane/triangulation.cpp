@@ -375,14 +375,20 @@ void Triangulation::roll_back() noexcept
     last_ = 0;
 }
 
-void Triangulation::undo(Change& change)
+void Triangulation::prepare(Change& change, bool to_undo)
+{
+    sides_.prepare(change.sides, to_undo);
+    vertices_.prepare(change.vertices, to_undo);
+}
+
+void Triangulation::undo(Change& change) noexcept
 {
     sides_.undo(change.sides);
     vertices_.undo(change.vertices);
     std::swap(state_, change.state);
 }
 
-void Triangulation::redo(Change& change)
+void Triangulation::redo(Change& change) noexcept
 {
     sides_.redo(change.sides);
     vertices_.redo(change.vertices);

@@ -138,8 +138,10 @@ public:
     void end() noexcept;
     Change take(); // of the recording that ended last; once
     void roll_back() noexcept;
-    void undo(Change& change);
-    void redo(Change& change);
+    void prepare(Change& change, bool to_undo); // takes the memory for what follows
+    void undo(Change& change) noexcept;
+    void redo(Change& change) noexcept;
+    std::size_t bytes() const { return sides_.bytes() + vertices_.bytes(); }
     /// A number that differs, as good as surely, where any byte of the structure does.
     std::uint64_t fingerprint() const;
 

@@ -116,7 +116,7 @@ void Autosave::save()
     }
     saved_version_ = session_.document_version();
     saved_at_ = std::chrono::steady_clock::now();
-    if (!session_.is_changed() || session_.display().counts.faces == 0) return; // a graph alone is in no .dlfl file
+    if (!session_.is_changed() || session_.display().counts.faces == 0) return; // a source alone is in no .dlfl file
     written_ = true;
     session_.keep_copy(model_);
 }

@@ -1,5 +1,7 @@
 #include "ui/display.h"
 
+#include "ops/shown_lines.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -15,19 +17,20 @@ GroupColours colours_of(const GroupTable& groups)
     return [&groups](int group) { return groups.colour(group); };
 }
 
-/// The graph that is shown: only while there is no mesh.
-const Graph* shown_graph(const Scene& scene) { return scene.mesh.face_count() == 0 ? std::get_if<Graph>(&*scene.source) : nullptr; }
-
 Counts shown_counts(const Scene& scene)
 {
-    const Graph* graph = shown_graph(scene);
-    return graph ? Counts{static_cast<std::uint32_t>(graph->vertices.size()), static_cast<std::uint32_t>(graph->edges.size()), 0} : scene.mesh.counts();
+    if (!shows_source(scene)) return scene.mesh.counts();
+    const auto lines = [](std::size_t vertices, std::size_t edges) { return Counts{static_cast<std::uint32_t>(vertices), static_cast<std::uint32_t>(edges), 0}; };
+    if (const Pane* pane = std::get_if<Pane>(&*scene.source)) return lines(pane->point_count(), pane->edge_count());
+    const Graph& graph = std::get<Graph>(*scene.source);
+    return lines(graph.vertices.size(), graph.edges.size());
 }
 
 void build(DrawLists& lists, const Document& document)
 {
     const Scene& scene = document.scene();
-    if (const Graph* graph = shown_graph(scene)) lists.build(*graph);
+    const ShownLines lines(scene);
+    if (lines.graph()) lists.build(*lines.graph());
     else lists.build(scene.mesh, colours_of(*scene.groups));
 }
 

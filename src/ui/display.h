@@ -26,7 +26,7 @@ std::vector<GroupSize> group_sizes(const Mesh& mesh);
 /// Everything that the window shows of a document, in a copy of its own: it stays while a command works on the document.
 struct Display {
     DrawLists lists;
-    Counts counts; // of the mesh, or of a graph without one
+    Counts counts; // of the mesh, or of the lines that are shown without one
     std::optional<MeshFacts> facts; // of the state shown; nothing while they are not counted yet
     Shared<GroupTable> groups;
     Shared<std::vector<GroupSize>> group_sizes;

@@ -2,6 +2,7 @@
 
 #include "app/command.h"
 #include "app/save.h"
+#include "ops/shown_lines.h"
 #include "ops/text.h"
 
 #include <fmt/format.h>
@@ -300,9 +301,9 @@ void Session::perform(const Request& request, Progress& progress, Result& result
     case Request::Task::command:
     case Request::Task::again: {
         const std::uint64_t version = document_.version();
-        const Shared<Source> source = document_.scene().source;
+        const bool shown = shows_source(document_.scene());
         MeshDelta delta = run_command(request, progress, result);
-        delta.whole = delta.whole || !source.same_as(document_.scene().source); // a graph without a mesh is drawn
+        delta.whole = delta.whole || shown || shows_source(document_.scene());
         if (document_.version() != version) result.change.emplace(document_, std::move(delta));
         break;
     }

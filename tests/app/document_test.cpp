@@ -39,7 +39,7 @@ void make_trouble(Scene& scene, const Trouble& p, Context& context)
         }
     scene.groups.edit().set_name(1, "changed");
     scene.selection.edit().faces = {Face(0)};
-    scene.source = Source(Graph{{Point(0.0)}, {}});
+    scene.source.replace_with(Graph{{Point(0.0)}, {}});
     switch (p.how) {
     case How::command: throw CommandError("it did not go");
     case How::input: throw InputError("some.obj", 3, "is no good");

@@ -22,7 +22,7 @@ Json info(Mesh mesh) { return info(document_of(all_operators(), std::move(mesh))
 Scene scene_of(Graph graph)
 {
     Scene scene;
-    scene.source = Source(std::move(graph));
+    scene.source.replace_with(std::move(graph));
     return scene;
 }
 

@@ -18,7 +18,7 @@ namespace {
 using namespace test;
 
 /// A document that begins with a shape whose faces are in groups 0 to 7, with everything selected, two steps done and one undone; for what opens
-/// a crust, made one where it can be, and for what maps a tessellation with one.
+/// a crust, made one where it can be, for what maps a tessellation with one, and for what edits a pane with one of those.
 Document prepared(const NamedShape& shape, const Operator& op)
 {
     Mesh mesh = shape.make();
@@ -26,6 +26,10 @@ Document prepared(const NamedShape& shape, const Operator& op)
     Document document = document_of(all_operators(), std::move(mesh));
     if (op.name == "rind.punch" || op.name == "rind.peel") complaint(document, "rind.crust guard=off");
     if (op.name == "graph.map") complaint(document, "graph.tess layers=1");
+    if (op.family() == "pane") {
+        for (const char* command : {"pane.new loop=0,0,10,0,10,10,0,10 hole=5,4,6,4,6,5", "pane.add at=2,7", "pane.constrain line=1,2,4,8", "pane.refine min_angle=15"})
+            EXPECT_EQ(complaint(document, command), "");
+    }
     for (const char* command : {"select.vertices vertices=all", "select.edges edges=all", "select.faces faces=all", "select.faces faces=none", "document.undo"})
         if (complaint(document, command) != "") ADD_FAILURE() << command;
     return document;
@@ -248,12 +252,12 @@ private:
         case Type::numbers: return list(p, [&] { return number_text(number(p.domain.range)); });
         case Type::integers: return list(p, [&] { return integer(p.domain.range); });
         case Type::texts: return list(p, [&] { return id(); });
-        case Type::point: return fmt::format("{},{},{}", below(5), below(5), below(5));
+        case Type::point: return p.fixed_length == 2 ? fmt::format("{},{}", below(5), below(5)) : fmt::format("{},{},{}", below(5), below(5), below(5));
         case Type::colour: return "#12ab9f";
         case Type::faces:
         case Type::edges:
         case Type::vertices: return selector(p.type);
-        case Type::id: return id();
+        case Type::id: return p.name == "edge" && below(2) == 0 ? id() + "~" + id() : id();
         case Type::corner: return id() + ":" + std::to_string(below(4));
         default: break;
         }

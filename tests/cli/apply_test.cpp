@@ -217,5 +217,20 @@ TEST_F(Apply, PrintsNoControlCharactersInErrors)
     EXPECT_EQ(ended.err, "druse: no?such?[31m.obj: no such file\n");
 }
 
+TEST_F(Apply, WritesPanesAndRefusesTheirEditsByOneWord)
+{
+    const std::string square = "pane.new loop=0,0,10,0,10,10,0,10";
+    expect_success(apply({"-c", square, "-c", "pane.add at=5,5", "-o", "a.pane.json"}));
+    expect_success(apply({"a.pane.json", "-o", "b.pane.json"}));
+    EXPECT_EQ(folder_.read("b.pane.json"), folder_.read("a.pane.json"));
+    expect_error({"a.pane.json", "-c", "pane.add at=12,5", "-o", "c.pane.json"}, "pane.add: outside: (12, 5) is outside the boundary");
+    expect_error({"a.pane.json", "-c", "pane.move point=0 to=6,7", "-o", "c.pane.json"}, "pane.move: swallows-point: point 4 would be outside");
+    expect_error({"a.pane.json", "-c", "pane.refine min_angle=31"}, "pane.refine: min_angle=31: angle-too-large: expected 0 to 30 degrees");
+    expect_error({"a.pane.json", "-o", "c.obj"}, "c.obj: the document holds no faces and no graph to write");
+    expect_error({"-c", "graph.lattice", "-o", "c.pane.json"}, "c.pane.json: the document holds a graph, not a pane");
+    folder_.write("bad.pane.json", "{\n\"format\":\"druse-pane\",\n\"points\":[[0,0],[1,null]]}");
+    expect_error({"bad.pane.json"}, "bad.pane.json:3: points[1][1]: expected a number, found null");
+}
+
 } // namespace
 } // namespace druse

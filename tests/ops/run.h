@@ -26,6 +26,7 @@ inline const Registry& ops_registry()
         register_topology(r);
         register_rind(r);
         register_graph(r);
+        register_pane(r);
         register_mesh(r);
         register_check(r);
         return r;

@@ -17,7 +17,7 @@ using Notes = std::vector<std::string>;
 Scene scene_of(Graph graph)
 {
     Scene scene;
-    scene.source = Source(std::move(graph));
+    scene.source.replace_with(std::move(graph));
     return scene;
 }
 

