@@ -63,6 +63,7 @@ void fill(Scene& scene, Model&& model)
     scene.groups = std::move(model.groups);
     scene.selection = Selection();
     if (model.pane) scene.source.replace_with(std::move(*model.pane));
+    else if (model.tile) scene.source.replace_with(std::move(*model.tile));
     else if (model.graph) scene.source.replace_with(std::move(*model.graph));
     else scene.source.replace_with({});
 }

@@ -7,11 +7,14 @@
 #include "ops/shown_lines.h"
 #include "ops/text.h"
 #include "pane/pane_check.h"
+#include "tile/tile_solid.h"
+#include "tile/tile_stack.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -32,17 +35,35 @@ struct PaneFacts {
     GraphFacts lines; // its edges
 };
 
+/// What of a tile is told beside its own facts.
+struct TileFacts {
+    explicit TileFacts(const LayeredTile& t) : tile(t), lines(facts(tile_edges(t)))
+    {
+        if (!t.is_extruded()) return;
+        for (int m = 0; m < member_count(t); ++m) {
+            const double its = make_solid(t, TileBottom::carved, aspect_of_member(t, m)).thinnest.thickness;
+            min_thickness = std::min(min_thickness.value_or(its), its);
+        }
+    }
+
+    const LayeredTile& tile;
+    GraphFacts lines; // its edges
+    std::optional<double> min_thickness;
+};
+
 /// What is there to be told: the facts of the mesh, unless all there is is a source.
 struct Facts {
     explicit Facts(const Scene& scene) : mesh(facts(scene.mesh)), only_source(shows_source(scene))
     {
         if (const Graph* g = std::get_if<Graph>(&*scene.source)) graph = facts(*g);
         if (const Pane* p = std::get_if<Pane>(&*scene.source)) pane.emplace(*p);
+        if (const LayeredTile* t = std::get_if<LayeredTile>(&*scene.source)) tile.emplace(*t);
         kind = only_source ? name(*scene.source) : "mesh";
     }
     MeshFacts mesh;
     std::optional<GraphFacts> graph;
     std::optional<PaneFacts> pane;
+    std::optional<TileFacts> tile;
     bool only_source = false;
     const char* kind = nullptr;
 };
@@ -143,6 +164,54 @@ void add_pane(Json& j, const PaneFacts& p)
     j["sides"] = {{"3", p.own.triangles}};
     j["valences"] = counts_json(p.lines.valences);
     j["max_nonplanarity"] = nullptr;
+}
+
+/// Its triangles are faces, as those of a pane are.
+void add_tile(Json& j, const TileFacts& t)
+{
+    const HeightField& surface = t.tile.surface();
+    j["vertices"] = surface.points.size();
+    j["edges"] = t.lines.edges;
+    j["faces"] = surface.triangles.size();
+    j["corners"] = 3 * surface.triangles.size();
+    j["components"] = 1;
+    j["euler"] = 1;
+    for (const char* key : {"genus", "watertight", "oriented", "manifold"}) j[key] = nullptr;
+    j["boundary_edges"] = t.tile.outline_count();
+    j["volume"] = nullptr;
+    j["area"] = t.tile.area();
+    j["bbox"] = box_json(t.lines.bounds);
+    j["edge_length"] = lengths_json(t.lines.shortest_edge, t.lines.mean_edge, t.lines.longest_edge, true);
+    j["sides"] = {{"3", surface.triangles.size()}};
+    j["valences"] = counts_json(t.lines.valences);
+    j["max_nonplanarity"] = nullptr;
+}
+
+/// The offset of the stack in the lattice, from 0 to 1: what is the same for all offsets that make the same stack.
+Point2 offset_class(const LayeredTile& tile)
+{
+    const TileStack& stack = tile.design().stack;
+    if (stack.mode == TileStack::Mode::column) return Point2(0.0);
+    const auto part = [](double x) {
+        x -= std::floor(x);
+        return x > 1 - 1e-9 || x < 1e-9 ? 0.0 : x;
+    };
+    const Point2 c = lattice_coordinates(tile.lattice(), stack.offset);
+    return {part(c.x), part(c.y)};
+}
+
+void add_own_of_tile(Json& j, const TileFacts& t)
+{
+    const auto [t1, t2] = t.tile.lattice();
+    const Point2 offset = offset_class(t.tile);
+    j["type"] = t.tile.type().name();
+    j["area"] = t.tile.area();
+    j["lattice"] = {{t1.x, t1.y}, {t2.x, t2.y}};
+    j["volume_expected"] = t.tile.is_extruded() ? Json(t.tile.thickness() * t.tile.area()) : Json(nullptr);
+    j["aspects"] = t.tile.type().aspects();
+    j["offset_class"] = {offset.x, offset.y};
+    j["min_thickness"] = t.min_thickness ? Json(*t.min_thickness) : Json(nullptr);
+    j["orbits"] = t.tile.outline().orbits;
 }
 
 void add_own_of_pane(Json& j, const PaneCheck& p)
@@ -246,6 +315,18 @@ void add_graph(Table& t, const GraphFacts& g, const std::string& prefix)
     t.add(prefix + "smallest angle", g.smallest_angle ? rounded(*g.smallest_angle) + " degrees" : "none");
 }
 
+void add_tile(Table& t, const TileFacts& f, const std::string& prefix)
+{
+    const LayeredTile& tile = f.tile;
+    t.add(prefix + "type", tile.type().name());
+    t.add(prefix + "points", fmt::format("{}, {} of them on the outline, in {} orbits", tile.point_count(), tile.outline_count(), tile.outline().orbits));
+    t.add(prefix + "aspects", std::to_string(tile.type().aspects()));
+    t.add(prefix + "area", fmt::format("{} {}²", rounded(tile.area()), units));
+    if (!tile.is_extruded()) return;
+    t.add(prefix + "volume", fmt::format("{} {}³", rounded(tile.area() * tile.thickness()), units));
+    t.add(prefix + "min thickness", fmt::format("{} {}", rounded(*f.min_thickness), units));
+}
+
 void add_pane(Table& t, const PaneCheck& p, const std::string& prefix)
 {
     t.add(prefix + "points", std::to_string(p.points));
@@ -284,7 +365,8 @@ std::string info_json(const Scene& scene, std::string_view file, const std::opti
     j["kind"] = facts.kind;
     j["units"] = units;
     if (facts.only_source && facts.graph) add_graph(j, *facts.graph);
-    else if (facts.only_source) add_pane(j, *facts.pane);
+    else if (facts.only_source && facts.pane) add_pane(j, *facts.pane);
+    else if (facts.only_source) add_tile(j, *facts.tile);
     else add_mesh(j, m);
     j["groups"] = groups_json(m, *scene.groups);
     j["selection"] = {{"faces", ids_json(scene.selection->faces)},
@@ -297,6 +379,7 @@ std::string info_json(const Scene& scene, std::string_view file, const std::opti
     if (facts.only_source) {
         if (facts.graph) add_own_of_graph(j, *facts.graph);
         if (facts.pane) add_own_of_pane(j, facts.pane->own);
+        if (facts.tile) add_own_of_tile(j, *facts.tile);
     } else if (facts.graph) {
         Json& g = j["graph"];
         g["vertices"] = facts.graph->vertices;
@@ -305,6 +388,8 @@ std::string info_json(const Scene& scene, std::string_view file, const std::opti
         add_own_of_graph(g, *facts.graph);
     } else if (facts.pane) {
         add_own_of_pane(j["pane"], facts.pane->own);
+    } else if (facts.tile) {
+        add_own_of_tile(j["tile"], *facts.tile);
     }
     return j.dump(2, ' ', false, Json::error_handler_t::replace);
 }
@@ -319,6 +404,9 @@ std::string info_text(const Scene& scene, std::string_view file, const std::opti
     if (facts.only_source && facts.graph) {
         add_graph(t, *facts.graph, "");
         add_lines(t, *facts.graph);
+    } else if (facts.only_source && facts.tile) {
+        add_tile(t, *facts.tile, "");
+        add_lines(t, facts.tile->lines);
     } else if (facts.only_source) {
         add_pane(t, facts.pane->own, "");
         add_lines(t, facts.pane->lines);
@@ -336,6 +424,7 @@ std::string info_text(const Scene& scene, std::string_view file, const std::opti
         t.add("self-intersections", met_text(met));
         if (facts.graph) add_graph(t, *facts.graph, "graph ");
         if (facts.pane) add_pane(t, facts.pane->own, "pane ");
+        if (facts.tile) add_tile(t, *facts.tile, "tile ");
     }
     return t.take();
 }

@@ -16,6 +16,7 @@ const Registry& all_operators()
         register_rind(r);
         register_graph(r);
         register_pane(r);
+        register_tile(r);
         register_mesh(r);
         register_check(r);
         register_document(r);

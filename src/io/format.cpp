@@ -8,6 +8,7 @@
 #include "io/pane_file.h"
 #include "io/ply.h"
 #include "io/stl.h"
+#include "io/tile_file.h"
 
 #include <fmt/format.h>
 
@@ -26,6 +27,8 @@ constexpr Format all_formats[] = {
     {"glb", "Binary glTF", read_gltf, write_glb},
     {"gltf", "glTF", read_gltf, write_gltf},
     {"pane.json", "Pane", read_pane, write_pane},
+    {"tile", "Escher tile", read_tile, write_tile},
+    {"svg", "Drawing of a tiling", read_svg, write_svg},
 };
 
 std::string extensions()

@@ -5,6 +5,7 @@
 #include "dlfl/rind.h"
 #include "graph/graph.h"
 #include "pane/pane.h"
+#include "tile/layered_tile.h"
 
 #include <optional>
 #include <string>
@@ -12,13 +13,14 @@
 
 namespace druse {
 
-/// What a file holds: a mesh with its groups and the table of its rind, and a source: a graph or a pane.
+/// What a file holds: a mesh with its groups and the table of its rind, and a source: a graph, a pane or a tile.
 struct Model {
     Mesh mesh;
     Rind rind{};
     GroupTable groups;
     std::optional<Graph> graph;
     std::optional<Pane> pane;
+    std::optional<LayeredTile> tile;
     std::vector<std::string> notes; // what the reader mended or left out, one line each
 };
 
@@ -29,6 +31,7 @@ struct ModelView {
     const Graph* graph = nullptr;
     const Rind* rind = nullptr;
     const Pane* pane = nullptr;
+    const LayeredTile* tile = nullptr;
 };
 
 } // namespace druse

@@ -1,5 +1,7 @@
 #include "ops/shown_lines.h"
 
+#include <algorithm>
+
 namespace druse {
 
 Graph pane_edges(const Pane& pane)
@@ -19,6 +21,18 @@ Graph pane_edges(const Pane& pane)
     return graph;
 }
 
+Graph tile_edges(const LayeredTile& tile)
+{
+    Graph graph;
+    const Isometry world = tile.to_world();
+    for (const Point& p : tile.surface().points) graph.vertices.emplace_back(Point(world(Point2(p)), p.z + tile.thickness()));
+    for (const auto& t : tile.surface().triangles)
+        for (std::size_t i = 0; i < 3; ++i) graph.edges.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
+    std::sort(graph.edges.begin(), graph.edges.end());
+    graph.edges.erase(std::unique(graph.edges.begin(), graph.edges.end()), graph.edges.end());
+    return graph;
+}
+
 bool shows_source(const Scene& scene) { return scene.mesh.face_count() == 0 && !std::holds_alternative<std::monostate>(*scene.source); }
 
 ShownLines::ShownLines(const Scene& scene)
@@ -26,8 +40,12 @@ ShownLines::ShownLines(const Scene& scene)
     if (!shows_source(scene)) return;
     graph_ = std::get_if<Graph>(&*scene.source);
     if (const Pane* pane = std::get_if<Pane>(&*scene.source)) {
-        of_pane_ = pane_edges(*pane);
-        graph_ = &of_pane_;
+        made_ = pane_edges(*pane);
+        graph_ = &made_;
+    }
+    if (const LayeredTile* tile = std::get_if<LayeredTile>(&*scene.source)) {
+        made_ = tile_edges(*tile);
+        graph_ = &made_;
     }
 }
 

@@ -8,10 +8,13 @@ namespace druse {
 /// The edges of a pane in z = 0; vertex k is the k-th of its points by id. Cost: linear.
 Graph pane_edges(const Pane& pane);
 
+/// The edges of the triangles of a tile in the world, at their heights; vertex k is its point k. Cost: linear, but for a sort.
+Graph tile_edges(const LayeredTile& tile);
+
 /// Whether the source is what one sees of a scene: it is while there are no faces.
 bool shows_source(const Scene& scene);
 
-/// The lines that are drawn of a scene without faces: its graph, or the edges of its pane. The scene must outlive it.
+/// The lines that are drawn of a scene without faces: its graph, or the edges of its pane or tile. The scene must outlive it.
 class ShownLines {
 public:
     explicit ShownLines(const Scene& scene);
@@ -22,7 +25,7 @@ public:
     const Graph* graph() const { return graph_; }
 
 private:
-    Graph of_pane_;
+    Graph made_;
     const Graph* graph_ = nullptr;
 };
 

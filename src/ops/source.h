@@ -2,6 +2,7 @@
 
 #include "graph/graph.h"
 #include "pane/pane.h"
+#include "tile/layered_tile.h"
 
 #include <cstddef>
 #include <memory>
@@ -12,7 +13,7 @@
 namespace druse {
 
 /// What operators make a mesh from, edited by its own family.
-using Source = std::variant<std::monostate, Graph, Pane>;
+using Source = std::variant<std::monostate, Graph, Pane, LayeredTile>;
 
 /// What a source is called in messages, `graph`; empty where there is none.
 const char* name(const Source& source);

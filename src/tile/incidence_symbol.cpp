@@ -71,9 +71,9 @@ std::vector<OwnSymmetry> own_symmetries(const IncidenceSymbol& symbol)
     return list;
 }
 
-std::vector<Crossing> crossings(const IncidenceSymbol& symbol)
+std::vector<TileCrossing> crossings(const IncidenceSymbol& symbol)
 {
-    std::vector<Crossing> list;
+    std::vector<TileCrossing> list;
     for (int k = 0; k < symbol.corners; ++k)
         for (int j = 0; j < symbol.corners; ++j) {
             const auto& [letter, sign] = symbol.answer[symbol.letter[k]];
@@ -85,10 +85,10 @@ std::vector<Crossing> crossings(const IncidenceSymbol& symbol)
     return list;
 }
 
-std::vector<Crossing> parse_placed(const IncidenceSymbol& symbol, std::string_view text)
+std::vector<TileCrossing> parse_placed(const IncidenceSymbol& symbol, std::string_view text)
 {
     if (text == "=") return crossings(symbol);
-    std::vector<Crossing> list;
+    std::vector<TileCrossing> list;
     for (const auto [letter, sign] : signed_letters(text)) list.push_back({static_cast<int>(list.size()), letter, sign > 0});
     return list;
 }
@@ -97,7 +97,7 @@ bool closes(const IncidenceSymbol& symbol)
 {
     const auto own = own_symmetries(symbol);
     const auto all = crossings(symbol);
-    const auto partner = [&](int edge) { return *std::ranges::find(all, edge, &Crossing::edge); };
+    const auto partner = [&](int edge) { return *std::ranges::find(all, edge, &TileCrossing::edge); };
     for (int start = 0; start < symbol.corners; ++start) {
         const auto is_back = [&](const Walker& at) {
             return std::ranges::any_of(own, [&](const OwnSymmetry& s) { return symbol.corner(s.corner(start)) == at.corner && at.forward != s.reflects; });

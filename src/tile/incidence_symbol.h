@@ -32,11 +32,11 @@ struct IncidenceSymbol {
 
 /// The neighbour across `edge`, moved back to the tile, has its edge `partner` there. Directly, by a rotation or translation, the ends of
 /// the two change places; otherwise, by a reflection or glide, start lies on start.
-struct Crossing {
+struct TileCrossing {
     int edge = 0, partner = 0;
     bool direct = true;
 
-    friend bool operator==(const Crossing&, const Crossing&) = default;
+    friend bool operator==(const TileCrossing&, const TileCrossing&) = default;
 };
 
 /// A symmetry of the tile: corner k goes to k + shift, or, reflecting, to shift − k.
@@ -52,10 +52,10 @@ struct OwnSymmetry {
 std::vector<OwnSymmetry> own_symmetries(const IncidenceSymbol& symbol);
 
 /// All partners of all edges, edge by edge.
-std::vector<Crossing> crossings(const IncidenceSymbol& symbol);
+std::vector<TileCrossing> crossings(const IncidenceSymbol& symbol);
 
 /// One partner for each edge: `d+e-…` names the edges (a = 0), `+` for direct; `=` means what crossings() says, where that is one each.
-std::vector<Crossing> parse_placed(const IncidenceSymbol& symbol, std::string_view text);
+std::vector<TileCrossing> parse_placed(const IncidenceSymbol& symbol, std::string_view text);
 
 /// Whether the tiles close round every corner: walking round it, all corners met have its valence, and the walk is back (up to the
 /// symmetries of the tile) after a number of steps that divides it.

@@ -24,7 +24,7 @@ int direction_of(const IsohedralType& type, int k)
 }
 
 /// The motion that carries the tile to its neighbour across an edge.
-CornerMotion motion_of(const IsohedralType& type, const Crossing& crossing)
+CornerMotion motion_of(const IsohedralType& type, const TileCrossing& crossing)
 {
     const int k = crossing.edge, j = crossing.partner, there = direction_of(type, k), here = direction_of(type, j);
     if (crossing.direct) return motion_of_corner({turns(there + full_turn / 2 - here), false}, j, type.symbol.corner(k + 1));
@@ -52,7 +52,7 @@ std::vector<CornerVector> conditions_of(const IsohedralType& type)
 {
     std::vector<CornerVector> list;
     const IncidenceSymbol& s = type.symbol;
-    for (const Crossing& c : crossings(s)) {
+    for (const TileCrossing& c : crossings(s)) {
         const CornerMotion motion = motion_of(type, c);
         add_condition(list, motion, s.corner(c.partner + 1), c.direct ? c.edge : s.corner(c.edge + 1));
     }
@@ -72,7 +72,7 @@ void find_paths(IsohedralType& type)
         Preparation how;
     };
     std::vector<Relation> relations;
-    for (const Crossing& c : crossings(type.symbol))
+    for (const TileCrossing& c : crossings(type.symbol))
         relations.push_back({c.partner, c.edge, c.direct ? Preparation::half_turn : Preparation::mirror});
     for (const OwnSymmetry& own : type.own)
         for (int k = 0; k < type.corners; ++k)
@@ -163,7 +163,7 @@ void find_parameters(IsohedralType& type)
 /// Aspects that are the powers of one rotation onto a neighbour, where there is one that gives all of them.
 void prefer_powers(IsohedralType& type)
 {
-    for (const Crossing& c : type.placing) {
+    for (const TileCrossing& c : type.placing) {
         const CornerMotion step = motion_of(type, c);
         if (step.turning.reflects) return;
         std::vector<CornerMotion> powers{CornerMotion{}};
@@ -179,7 +179,7 @@ void find_neighbours(IsohedralType& type)
     const PlaneGroup& group = type.placed;
     for (const CornerMotion& aspect : group.representatives) {
         auto& around = type.neighbours.emplace_back();
-        for (const Crossing& c : type.placing) {
+        for (const TileCrossing& c : type.placing) {
             const CornerMotion there = aspect * motion_of(type, c);
             const int to = group.find(there.turning);
             const Point2 shift = there.shift.at(type.start) - group.representatives[to].shift.at(type.start);
@@ -223,13 +223,13 @@ IsohedralType derive(const TileLine& line)
     find_paths(type);
 
     std::vector<CornerMotion> all, placed;
-    for (const Crossing& c : crossings(type.symbol)) all.push_back(motion_of(type, c));
+    for (const TileCrossing& c : crossings(type.symbol)) all.push_back(motion_of(type, c));
     for (const OwnSymmetry& own : type.own) all.push_back(motion_of(type, own));
     type.full = generate(all, type.start);
     find_parameters(type);
 
     type.placing = parse_placed(type.symbol, line.placed);
-    for (const Crossing& c : type.placing) placed.push_back(motion_of(type, c));
+    for (const TileCrossing& c : type.placing) placed.push_back(motion_of(type, c));
     type.placed = generate(placed, type.start);
     prefer_powers(type);
     find_neighbours(type);

@@ -60,7 +60,7 @@ struct IsohedralType {
 
     PlaneGroup full;   // all motions that carry the tiling to itself
     PlaneGroup placed; // a subgroup that carries one tile to each tile once: its representatives are the aspects
-    std::vector<Crossing> placing; // the partner of each edge in it
+    std::vector<TileCrossing> placing; // the partner of each edge in it
     std::vector<std::vector<TileNeighbour>> neighbours; // of each aspect, edge by edge
     std::vector<int> corner_orbit; // corners with the same number are carried into one another by `placed`
     TileColours colours;

@@ -74,8 +74,9 @@ public:
         flood();
     }
 
-    /// The boundary of the largest piece that is gone round once or more often.
-    std::vector<Point2> largest() const
+    /// The boundary of the largest piece that is gone round once or more often and lies inside a polygon, `by` from its sides: sides that have passed each
+    /// other may go round a piece that does not.
+    std::vector<Point2> largest(std::span<const Point2> polygon, double by) const
     {
         const Triangulation& t = pane_.triangulation();
         std::vector<Index> piece(winding_.size(), Triangulation::none), waiting;
@@ -83,6 +84,8 @@ public:
         Index best = Triangulation::none;
         for (Index first = 0; first < t.side_end(); first += 4) {
             if (!t.is_face(first) || winding_[first / 4] < 1 || piece[first / 4] != Triangulation::none) continue;
+            const Point2 middle = (t.position(t.origin(first)) + t.position(t.origin(first + 1)) + t.position(t.origin(first + 2))) / 3.0;
+            const bool counts = contains(polygon, middle) && nearest_side(polygon, middle).distance >= by * (1 - 1e-9);
             double area = 0;
             waiting.assign(1, first);
             piece[first / 4] = first;
@@ -98,7 +101,7 @@ public:
                     waiting.push_back(next);
                 }
             }
-            if (area > best_area) {
+            if (counts && area > best_area) {
                 best_area = area;
                 best = first;
             }
@@ -168,7 +171,7 @@ std::vector<Point2> inset(std::span<const Point2> polygon, double by, double wel
     FlatBox box;
     for (const Point2& p : corners) box.add(p);
     if (std::max(box.max.x - box.min.x, box.max.y - box.min.y) < 8 * weld) return {};
-    return Windings(corners, weld).largest();
+    return Windings(corners, weld).largest(polygon, by);
 }
 
 } // namespace druse

@@ -24,7 +24,7 @@ bool comes_back_reversed(const IsohedralType& type, int path)
         bool reverses; // places along the edges
     };
     std::vector<Relation> relations;
-    for (const Crossing& c : crossings(type.symbol)) relations.push_back({c.partner, c.edge, c.direct});
+    for (const TileCrossing& c : crossings(type.symbol)) relations.push_back({c.partner, c.edge, c.direct});
     for (const OwnSymmetry& own : type.own)
         for (int k = 0; k < type.corners; ++k) relations.push_back({k, type.symbol.corner(own.edge(k)), own.reflects});
     return std::ranges::any_of(relations, [&](const Relation& r) {

@@ -22,6 +22,10 @@ Counts shown_counts(const Scene& scene)
     if (!shows_source(scene)) return scene.mesh.counts();
     const auto lines = [](std::size_t vertices, std::size_t edges) { return Counts{static_cast<std::uint32_t>(vertices), static_cast<std::uint32_t>(edges), 0}; };
     if (const Pane* pane = std::get_if<Pane>(&*scene.source)) return lines(pane->point_count(), pane->edge_count());
+    if (const LayeredTile* tile = std::get_if<LayeredTile>(&*scene.source)) {
+        const std::size_t points = tile->surface().points.size(), triangles = tile->surface().triangles.size();
+        return lines(points, points + triangles - 1); // of a disk
+    }
     const Graph& graph = std::get<Graph>(*scene.source);
     return lines(graph.vertices.size(), graph.edges.size());
 }

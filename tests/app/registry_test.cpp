@@ -18,7 +18,7 @@ namespace {
 using namespace test;
 
 /// A document that begins with a shape whose faces are in groups 0 to 7, with everything selected, two steps done and one undone; for what opens
-/// a crust, made one where it can be, for what maps a tessellation with one, and for what edits a pane with one of those.
+/// a crust, made one where it can be, for what maps a tessellation with one, and for what edits a pane or a tile with one of those.
 Document prepared(const NamedShape& shape, const Operator& op)
 {
     Mesh mesh = shape.make();
@@ -28,6 +28,11 @@ Document prepared(const NamedShape& shape, const Operator& op)
     if (op.name == "graph.map") complaint(document, "graph.tess layers=1");
     if (op.family() == "pane") {
         for (const char* command : {"pane.new loop=0,0,10,0,10,10,0,10 hole=5,4,6,4,6,5", "pane.add at=2,7", "pane.constrain line=1,2,4,8", "pane.refine min_angle=15"})
+            EXPECT_EQ(complaint(document, command), "");
+    }
+    if (op.family() == "tile") {
+        for (const char* command : {"tile.new type=IH41", "tile.edge path=0 points=0.25,0.1", "tile.point_add at=0.5,0.6", "tile.constrain from=v1 to=i0",
+                                    "tile.stack mode=shift offset=0.3,0.2", "tile.extrude thickness=0.5", "tile.height points=i0 set=0.1"})
             EXPECT_EQ(complaint(document, command), "");
     }
     for (const char* command : {"select.vertices vertices=all", "select.edges edges=all", "select.faces faces=all", "select.faces faces=none", "document.undo"})

@@ -235,7 +235,7 @@ TEST(IsohedralType, LetsItsOutlineFitUnderEveryMotionOfTheTiling)
             points.push_back(to);
             return points;
         };
-        for (const Crossing& c : crossings(type.symbol)) {
+        for (const TileCrossing& c : crossings(type.symbol)) {
             // The motion is found by its ends alone; the points between must follow.
             const auto here = edge(c.edge);
             auto there = edge(c.partner);

@@ -3,6 +3,7 @@
 #include "dlfl/measures.h"
 #include "support/mesh_checks.h"
 #include "tile/layered_facts.h"
+#include "tile/tile_inset.h"
 #include "tile/tile_solid.h"
 
 #include <gtest/gtest.h>
@@ -77,6 +78,18 @@ TEST(LayeredTile, WithCurvedPathsHasTheOutlinesAndOrbitsOfTheirSymbols)
         const auto [t1, t2] = tile.lattice();
         EXPECT_NEAR(tile.area() * tile.type().aspects(), std::abs(t1.x * t2.y - t1.y * t2.x), 1e-9) << c.type;
     }
+}
+
+TEST(Inset, OfASquareIsASquareUntilNothingIsLeft)
+{
+    const std::vector<Point2> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    const std::vector<Point2> smaller = inset(square, 2, 1e-8);
+    EXPECT_EQ(smaller.size(), 4u);
+    EXPECT_NEAR(twice_area(smaller), 72, 1e-9);
+    EXPECT_TRUE(inset(square, 6, 1e-8).empty());
+    // Two rooms with a door: the larger one is left.
+    const std::vector<Point2> rooms{{0, 0}, {10, 0}, {10, 4.5}, {11, 4.5}, {11, 2}, {17, 2}, {17, 8}, {11, 8}, {11, 5.5}, {10, 5.5}, {10, 10}, {0, 10}};
+    EXPECT_NEAR(twice_area(inset(rooms, 1, 1e-8)), 128, 1e-9);
 }
 
 } // namespace

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "io/byte_source.h"
+#include "io/model.h"
+#include "io/output_files.h"
+
+namespace druse {
+
+/// Reads a layered tile as Druse writes it: JSON, `"format": "druse-tile"`. Keys that it does not know are kept for the writer.
+/// @throws InputError with line and path of the key, as `paths[1].points[0]`, where something is not what it should be; a higher version than ours too
+Model read_tile(ByteSource& source);
+
+/// Writes the tile of a model, a line for each key; numbers are the shortest that read back as the same. @throws InputError if there is none
+void write_tile(const ModelView& model, OutputFiles& out);
+
+/// Draws the flat tiling of the tile of a model: as many places of its lattice as its design says, in the colours of its type, in millimetres.
+/// @throws InputError if there is no tile
+void write_svg(const ModelView& model, OutputFiles& out);
+
+/// @throws InputError: drawings are for others to read
+Model read_svg(ByteSource& source);
+
+} // namespace druse

@@ -1,0 +1,130 @@
+#include "io/tile_file.h"
+
+#include "dlfl/errors.h"
+#include "tile/layered_tile.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace druse {
+
+namespace {
+
+using TileJson = nlohmann::ordered_json;
+
+TileJson pair_json(const Point2& p) { return TileJson::array({p.x, p.y}); }
+
+TileJson pairs_json(const std::vector<Point2>& points)
+{
+    TileJson list = TileJson::array();
+    for (const Point2& p : points) list.push_back(pair_json(p));
+    return list;
+}
+
+/// An object that is there already keeps its other keys, and their order.
+TileJson& object_in(TileJson& parent, const char* key)
+{
+    TileJson& value = parent[key];
+    if (!value.is_object()) value = TileJson::object();
+    return value;
+}
+
+TileJson json_of(const LayeredTile& tile)
+{
+    const TileDesign& design = tile.design();
+    TileJson j = design.kept.empty() ? TileJson::object() : TileJson::parse(design.kept);
+    j["format"] = "druse-tile";
+    j["version"] = 1;
+    j["kind"] = "layered";
+    j["units"] = "mm";
+    j["type"] = tile.type().name();
+    j["size"] = design.size;
+    j["rotation"] = design.rotation;
+    j["origin"] = pair_json(design.origin);
+    j["params"] = design.parameters;
+    TileJson& paths = j["paths"];
+    if (!paths.is_array() || paths.size() != design.paths.size()) paths = TileJson(design.paths.size(), TileJson::object());
+    for (std::size_t p = 0; p < design.paths.size(); ++p) {
+        if (!paths[p].is_object()) paths[p] = TileJson::object();
+        paths[p]["shape"] = std::string(1, letter(tile.type().shapes[p]));
+        paths[p]["points"] = pairs_json(design.paths[p]);
+    }
+    j["interior"] = pairs_json(design.interior);
+    TileJson& segments = j["segments"] = TileJson::array();
+    for (const auto& chain : design.segments) {
+        TileJson& names = segments.emplace_back(TileJson::array());
+        for (const PointName& name : chain) names.push_back(name.text());
+    }
+    if (design.thickness) j["thickness"] = *design.thickness;
+    else j.erase("thickness");
+    TileJson& heights = j["heights"] = TileJson::object();
+    for (int i = 0; i < tile.point_count(); ++i)
+        if (const auto found = design.heights.find(tile.name(i)); found != design.heights.end()) heights[found->first.text()] = found->second;
+    TileJson& stack = object_in(j, "stack");
+    static constexpr const char* modes[] = {"column", "shift", "mirror", "free"};
+    stack["mode"] = modes[static_cast<int>(design.stack.mode)];
+    if (design.stack.mode == TileStack::Mode::column) stack.erase("offset");
+    else stack["offset"] = pair_json(design.stack.offset);
+    if (design.stack.mode == TileStack::Mode::mirror) stack["axis"] = design.stack.axis;
+    else stack.erase("axis");
+    return j;
+}
+
+void put_json(const TileJson& j, ByteSink& sink)
+{
+    char before = j.is_object() ? '{' : '[';
+    switch (j.type()) {
+    case TileJson::value_t::number_float: {
+        const auto x = j.get<double>();
+        if (x == 0 && std::signbit(x)) sink.put("-0.0"); // a reader may take -0 for a whole number, which has no sign then
+        else sink.put(x);
+        return;
+    }
+    case TileJson::value_t::array:
+        for (const TileJson& item : j) {
+            sink.put(before);
+            if (before == ',') sink.put(' ');
+            put_json(item, sink);
+            before = ',';
+        }
+        if (before == '[') sink.put('[');
+        sink.put(']');
+        return;
+    case TileJson::value_t::object:
+        for (const auto& [key, value] : j.items()) {
+            sink.put(before);
+            if (before == ',') sink.put(' ');
+            sink.put(TileJson(key).dump());
+            sink.put(": ");
+            put_json(value, sink);
+            before = ',';
+        }
+        if (before == '{') sink.put('{');
+        sink.put('}');
+        return;
+    default: sink.put(j.dump()); return;
+    }
+}
+
+} // namespace
+
+void write_tile(const ModelView& model, OutputFiles& out)
+{
+    if (!model.tile) throw InputError(out.name(), "the document holds no tile to write");
+    ByteSink& sink = out.main();
+    const char* before = "{ ";
+    const TileJson tree = json_of(*model.tile);
+    for (const auto& [key, value] : tree.items()) {
+        sink.put(before);
+        sink.put(TileJson(key).dump());
+        sink.put(": ");
+        put_json(value, sink);
+        before = ",\n  ";
+    }
+    sink.put(" }\n");
+}
+
+} // namespace druse

@@ -1,0 +1,181 @@
+// Layered tiles as a document keeps them: through commands, refusals, undo, files and facts.
+#include "app/documents.h"
+#include "app/info.h"
+#include "app/registry.h"
+#include "app/save.h"
+#include "io/output.h"
+#include "support/folder.h"
+#include "support/mesh_checks.h"
+#include "tile/layered_facts.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace druse {
+namespace {
+
+using namespace test;
+using FactsJson = nlohmann::json;
+
+const LayeredTile& tile_in(const Document& document) { return std::get<LayeredTile>(*document.scene().source); }
+
+Document with_tile(std::initializer_list<const char*> commands)
+{
+    Document document(all_operators());
+    for (const char* command : commands) EXPECT_EQ(complaint(document, command), "") << command;
+    return document;
+}
+
+/// The quad of the reference.
+Document quad()
+{
+    return with_tile({"tile.new type=IH79 size=20", "tile.edge path=0 points=0.333,0.125,0.667,-0.125", "tile.edge path=1 points=0.25,0.1", "tile.point_add at=10,4",
+                      "tile.stack mode=shift offset=10,10", "tile.extrude thickness=5", "tile.height points=i0 set=2", "tile.height points=m1 add=0.5", "tile.solid"});
+}
+
+TEST(TileInDocument, MakesTheQuadOfTheReference)
+{
+    const Document document = quad();
+    const LayeredTile& tile = tile_in(document);
+    EXPECT_EQ(tile.outline_count(), 10);
+    EXPECT_EQ(tile.outline().orbits, 6);
+    EXPECT_NEAR(tile.area(), 100, 1e-9);
+    const TileSolid solid = make_solid(tile);
+    EXPECT_EQ(disk_counts(solid.top), (std::array{11, 10, 10}));
+    EXPECT_EQ(disk_counts(solid.bottom), (std::array{16, 16, 14}));
+    EXPECT_NEAR(solid.thinnest.thickness, 3.115819, 1e-6);
+    const Mesh& mesh = document.scene().mesh;
+    EXPECT_EQ(counts(mesh), (Counts{27, 61, 36}));
+    EXPECT_NEAR(volume(mesh), 500, 500e-9);
+
+    const FactsJson info = FactsJson::parse(info_json(document.scene(), "quad.tile"))["tile"];
+    EXPECT_EQ(info["type"], "IH79");
+    EXPECT_EQ(info["aspects"], 4);
+    EXPECT_EQ(info["orbits"], 6);
+    EXPECT_NEAR(info["volume_expected"], 500, 1e-9);
+    EXPECT_NEAR(info["min_thickness"], 3.115819, 1e-6);
+}
+
+TEST(TileInDocument, RefusesWhatWouldFillNoSpaceAndStaysAsItWas)
+{
+    struct Case {
+        const char *type, *command, *complaint;
+    };
+    for (const Case& c : {Case{"IH79", "tile.stack mode=shift offset=5,5", "tile.stack: offset-not-isohedral: offset 5,5 of IH79: the nearest that is isohedral is"},
+                          Case{"IH31", "tile.stack mode=shift offset=10,0", "tile.stack: offset-not-isohedral: offset 10,0 of IH31: the nearest that is isohedral is 0,0"},
+                          Case{"IH79", "tile.edge path=0 points=0.2,0.9,0.8,-0.9", "tile.edge: boundary-crosses"},
+                          Case{"IH79", "tile.edge path=1 points=0.7,0.1", "tile.edge: half-path"},
+                          Case{"IH79", "tile.corner corner=0 to=1,1", "tile.corner: fixed"},
+                          Case{"IH79", "tile.height points=i0 set=1", "tile.height: phase"},
+                          Case{"IH79", "tile.solid", "tile.solid: phase"},
+                          Case{"IH41", "tile.param index=0 value=0", "tile.param: flat-corner"},
+                          Case{"IH79", "tile.edge_move point=m1 to=1,1", "tile.edge_move: fixed"},
+                          Case{"IH79", "tile.point_move point=i3 to=1,1", "tile.point_move: no-such-point"}}) {
+        Document document(all_operators());
+        document.apply(std::string("tile.new size=20 type=") + c.type);
+        const TileDesign before = tile_in(document).design();
+        const std::string found = complaint(document, c.command);
+        EXPECT_TRUE(found.starts_with(c.complaint)) << c.command << " -> " << found;
+        EXPECT_TRUE(tile_in(document).design() == before);
+    }
+    Document pierced = with_tile({"tile.new type=IH41 size=10", "tile.point_add at=5,5", "tile.stack mode=shift offset=5,5", "tile.extrude thickness=1", "tile.height points=i0 set=3"});
+    EXPECT_TRUE(complaint(pierced, "tile.solid").starts_with("tile.solid: top-under-bottom"));
+}
+
+TEST(TileInDocument, KeepsHeightsThroughEditsOfThePlane)
+{
+    Document document = with_tile({"tile.new type=IH41 size=10", "tile.edge path=0 points=0.5,0.1", "tile.point_add at=5,5", "tile.point_add at=3,7", "tile.extrude thickness=4",
+                                   "tile.height points=i1 set=2", "tile.height points=e0:1 set=1"});
+    document.apply("tile.edge_add at=2,-0.5");
+    EXPECT_EQ(tile_in(document).height(tile_in(document).find(PointName::parse("e0:2"))), 1);
+    EXPECT_NE(tile_in(document).height(tile_in(document).find(PointName::parse("e0:1"))), 0) << "a new point takes the height of the surface";
+    document.apply("tile.point_remove point=i0");
+    EXPECT_EQ(tile_in(document).height(tile_in(document).find(PointName::interior(0))), 2);
+    document.apply("tile.edge_remove point=e0:1");
+    EXPECT_EQ(tile_in(document).height(tile_in(document).find(PointName::parse("e0:1"))), 1);
+    document.apply("tile.height points=outline add=0.25");
+    EXPECT_EQ(tile_in(document).height(0), 0.25);
+    document.apply("document.undo");
+    EXPECT_EQ(tile_in(document).height(0), 0);
+}
+
+std::string saved(const Document& document, const Folder& folder, const char* name)
+{
+    OutputSet output;
+    write_document(document, output, folder.path() / name);
+    output.commit();
+    return folder.read(name);
+}
+
+Document opened(const std::filesystem::path& path)
+{
+    Document document(all_operators());
+    Progress progress;
+    document.open(path, progress);
+    return document;
+}
+
+TEST(TileFile, ComesBackToTheByte)
+{
+    const Folder folder;
+    Document document = quad();
+    document.apply("tile.constrain from=v0 to=i0");
+    const std::string first = saved(document, folder, "a.tile");
+    const Document again = opened(folder.path() / "a.tile");
+    EXPECT_TRUE(tile_in(again).surface().points == tile_in(document).surface().points);
+    EXPECT_EQ(saved(again, folder, "b.tile"), first);
+
+    // What is not ours stays, where it is.
+    std::string other = first;
+    other.insert(other.find("\"interior\""), "\"view\": {\"trace\": {\"opacity\": 0.5}, \"colors\": [\"#cc3333\"]},\n  ");
+    folder.write("c.tile", other);
+    EXPECT_EQ(saved(opened(folder.path() / "c.tile"), folder, "d.tile"), other);
+
+    EXPECT_EQ(saved(document, folder, "e.svg").substr(0, 4), "<svg");
+}
+
+TEST(TileFile, SaysLineAndKeyOfWhatIsWrong)
+{
+    const Folder folder;
+    const std::string good = saved(quad(), folder, "a.tile");
+    struct Case {
+        const char *from, *to, *complaint;
+    };
+    for (const Case& c : {Case{"\"version\": 1", "\"version\": 2", "2: version: "}, Case{"\"IH79\"", "\"IH19\"", "5: type: IH19"}, Case{"\"size\": 20", "\"size\": -1", "6: size: "},
+                          Case{"0.333", "\"a\"", "10: paths[0].points[0][0]: expected a number"}, Case{"[0.25, 0.1]", "[0.75, 0.1]", "10: paths[1].points: half-path"},
+                          Case{"[10, 4]", "[10, 400]", "11: interior: swallows-point"}, Case{"\"m1\"", "\"m7\"", "14: heights.m7: no-such-point"},
+                          Case{"\"mode\": \"shift\"", "\"mode\": \"shaft\"", "15: stack.mode: "}, Case{"[10, 10]", "[5, 5]", "15: stack.offset: offset-not-isohedral"},
+                          Case{"\"kind\": \"layered\",", "", "1: kind: is missing"}, Case{"\"params\": []", "\"params\": [1]", "9: params: IH79 has no parameters"}}) {
+        std::string bad = good;
+        ASSERT_NE(bad.find(c.from), std::string::npos) << c.from;
+        bad.replace(bad.find(c.from), std::string(c.from).size(), c.to);
+        folder.write("bad.tile", bad);
+        try {
+            opened(folder.path() / "bad.tile");
+            ADD_FAILURE() << "is read: " << c.to;
+        } catch (const std::exception& e) {
+            EXPECT_NE(std::string(e.what()).find("bad.tile:" + std::string(c.complaint)), std::string::npos) << e.what();
+        }
+    }
+}
+
+TEST(TileAssembly, IsManyTilesWithTheVolumeOfThemAll)
+{
+    Document document = quad();
+    document.apply("tile.assemble nx=2 ny=2 layers=3 color=type");
+    EXPECT_NEAR(volume(document.scene().mesh), 2 * 2 * 4 * 3 * 500.0, 1e-6);
+    EXPECT_EQ(document.scene().mesh.face_count(), 48 * 36);
+}
+
+TEST(TileSolid, WithClearanceLeavesJointsThatWide)
+{
+    Document document = quad();
+    const FactsJson found = FactsJson::parse(document.apply("tile.check clearance=0.3 strict=true").output);
+    EXPECT_EQ(found["faults"], FactsJson::array());
+    EXPECT_GE(double(found["clearance"]), 0.3 - 1e-6 * 20);
+    EXPECT_LT(double(found["volume_left"]), 500);
+}
+
+} // namespace
+} // namespace druse
