@@ -32,6 +32,9 @@ struct ModelView {
     const Rind* rind = nullptr;
     const Pane* pane = nullptr;
     const LayeredTile* tile = nullptr;
+
+    /// The graph beside the mesh, if it is more than what struts in the mesh were made of.
+    const Graph* lines() const { return graph && !graph->edges.empty() && graph->struts.edge_ids.empty() ? graph : nullptr; }
 };
 
 } // namespace druse

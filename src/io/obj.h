@@ -17,8 +17,8 @@ Model read_obj(ByteSource& source);
 /// Writes Wavefront OBJ and, if a face is grouped, the .mtl file with the groups' colours and names beside it.
 ///
 /// Faces begin at their start corner, numbers are the shortest that read back the same, open boundaries are not written. Index
-/// lists cannot tell parallel edges apart: all but one of them get a vertex in the middle, and loops two, in the file only. A
-/// model without faces has its graph written. Throws InputError if there is neither.
+/// lists cannot tell parallel edges apart: all but one of them get a vertex in the middle, and loops two, in the file only. The
+/// graph is written as lines between vertices of its own; beside a mesh not if struts in it were made of that. Throws InputError if there is neither.
 void write_obj(const ModelView& model, OutputFiles& out);
 
 } // namespace druse

@@ -23,14 +23,15 @@ namespace {
 /// Numbers of elements that come later in the file, or never.
 class Announced {
 public:
-    void see(std::int64_t number, long line)
-    {
-        if (records_.empty() || number > records_.back().number) records_.push_back({number, line});
-    }
     struct Record {
         std::int64_t number;
         long line;
+        const char* by; // `face`, `line` or `point`
     };
+    void see(const Record& record)
+    {
+        if (records_.empty() || record.number > records_.back().number) records_.push_back(record);
+    }
     /// The first place that names one beyond `count`.
     const Record* first_beyond(std::int64_t count) const
     {
@@ -74,6 +75,7 @@ private:
 
     ByteSource& source_;
     long line_ = 0;
+    const char* named_by_ = ""; // what is being read
     MeshBuilder builder_;
     std::int64_t texture_count_ = 0, normal_count_ = 0;
     Announced announced_, announced_textures_, announced_normals_;
@@ -148,13 +150,13 @@ const char* ObjReader::element(const char* p, std::int64_t count, Announced& ann
     if (!after || !(scan::ends_word(*after) || *after == '/' || *after == '\\'))
         fail(fmt::format("expected a {} number, found {}", what, scan::quoted_word(p)));
     if (number > 0) {
-        if (number > count) announced.see(number, line_);
-        index = static_cast<std::uint32_t>(number - 1);
+        if (number > count) announced.see({number, line_, named_by_});
+        index = number <= Vertex::none ? static_cast<std::uint32_t>(number - 1) : Vertex::none; // which none will be
     } else if (number < 0 && number >= -count) {
         index = static_cast<std::uint32_t>(count + number);
     } else {
-        fail(number == 0 ? fmt::format("face names {} 0; they count from 1", what)
-                         : fmt::format("face names {} {}, but only {} came before", what, number, count));
+        fail(number == 0 ? fmt::format("{} names {} 0; they count from 1", named_by_, what)
+                         : fmt::format("{} names {} {}, but only {} came before", named_by_, what, number, count));
     }
     return after;
 }
@@ -188,6 +190,7 @@ const char* ObjReader::corner_in_full(const char* p, std::uint32_t& v)
 const char* ObjReader::face(const char* p)
 {
     polygon_.clear();
+    named_by_ = "face";
     std::uint32_t v = 0;
     for (p = scan::skip_blanks(p, line_); *p != '\n' && *p != '#'; p = scan::skip_blanks(p, line_)) {
         p = corner(p, v);
@@ -202,10 +205,11 @@ const char* ObjReader::face(const char* p)
 const char* ObjReader::polyline(const char* p)
 {
     int entries = 0;
+    named_by_ = "line";
     std::uint32_t before = 0, v = 0;
     for (p = scan::skip_blanks(p, line_); *p != '\n' && *p != '#'; p = scan::skip_blanks(p, line_)) {
         p = corner(p, v);
-        if (entries > 0 && v == before) fail(fmt::format("a line from vertex {} to itself", std::int64_t(v) + 1));
+        if (entries > 0 && v == before && v != Vertex::none) fail(fmt::format("a line from vertex {} to itself", std::int64_t(v) + 1));
         if (entries > 0) lines_.push_back({before, v});
         before = v;
         if (entries < 2) ++entries;
@@ -216,6 +220,7 @@ const char* ObjReader::polyline(const char* p)
 
 const char* ObjReader::points(const char* p)
 {
+    named_by_ = "point";
     std::uint32_t v = 0;
     for (p = scan::skip_blanks(p, line_); *p != '\n' && *p != '#'; p = scan::skip_blanks(p, line_)) {
         p = corner(p, v);
@@ -330,7 +335,7 @@ void ObjReader::check_announced(const Announced& announced, std::int64_t count, 
 {
     if (const auto* record = announced.first_beyond(count))
         throw InputError(source_.name(), record->line,
-                         fmt::format("face names {} {}, the file has {}", what, record->number, count));
+                         fmt::format("{} names {} {}, the file has {}", record->by, what, record->number, count));
 }
 
 void ObjReader::make_groups(Model& model)

@@ -26,13 +26,12 @@ void put_index(ByteSink& sink, std::uint32_t i)
     sink.put(std::uint64_t(i) + 1);
 }
 
-void write_graph(const Graph& graph, ByteSink& sink)
+void write_lines(const Graph& graph, std::uint32_t first_vertex, ByteSink& sink)
 {
-    for (const Point& p : graph.vertices) put_vertex(sink, p);
     for (const auto& [a, b] : graph.edges) {
         sink.put('l');
-        put_index(sink, a);
-        put_index(sink, b);
+        put_index(sink, first_vertex + a);
+        put_index(sink, first_vertex + b);
         sink.put('\n');
     }
 }
@@ -64,9 +63,10 @@ void write_obj(const ModelView& model, OutputFiles& out)
     ASSERT(!mesh.has_holes(), "a mesh without holes");
     ByteSink& sink = out.main();
     if (mesh.face_count() == 0) {
-        if (!model.graph || model.graph->edges.empty())
-            throw InputError(out.name(), "the document holds no faces and no graph to write");
-        write_graph(*model.graph, sink);
+        if (!model.graph) throw InputError(out.name(), "the document holds no faces and no graph to write");
+        if (model.graph->edges.empty()) throw InputError(out.name(), "the graph of the document has no edges to write, and there are no faces");
+        for (const Point& p : model.graph->vertices) put_vertex(sink, p);
+        write_lines(*model.graph, 0, sink);
         return;
     }
     const EdgeSplits splits(mesh);
@@ -76,7 +76,11 @@ void write_obj(const ModelView& model, OutputFiles& out)
     if (!library.empty()) sink.put("mtllib " + library + '\n');
     for (const Point& p : mesh.positions()) put_vertex(sink, p);
     for (const Point& p : splits.added()) put_vertex(sink, p);
+    const Graph* lines = model.lines();
+    if (lines)
+        for (const Point& p : lines->vertices) put_vertex(sink, p);
     write_faces(mesh, splits, !groups.empty(), sink);
+    if (lines) write_lines(*lines, static_cast<std::uint32_t>(mesh.positions().size() + splits.added().size()), sink);
 }
 
 } // namespace druse

@@ -57,8 +57,11 @@ std::vector<Malformed> objs()
         {"obj", "c 1 0 2\n", ":1: colour 2: expected 0 to 1"},
         {"obj", p + "l 1\n", ":5: a line with 1 point; expected at least 2"},
         {"obj", p + "l 1 2 2\n", ":5: a line from vertex 2 to itself"},
-        {"obj", p + "l 1 7\n", ":5: face names vertex 7, the file has 4"},
-        {"obj", p + "p 0\n", ":5: face names vertex 0; they count from 1"},
+        {"obj", p + "l 1 7\n", ":5: line names vertex 7, the file has 4"},
+        {"obj", p + "l 1 4294967297\n", ":5: line names vertex 4294967297, the file has 4"}, // 2^32 + 1 is not 1
+        {"obj", p + "l 4294967297 5000000000\n", ":5: line names vertex 4294967297, the file has 4"},
+        {"obj", p + "l 9 9\nv 0 0 0\n", ":5: a line from vertex 9 to itself"},
+        {"obj", p + "p 0\n", ":5: point names vertex 0; they count from 1"},
         {"obj", std::string("v 1 2 \0 3\n", 10), ":1: expected a number, found '?'"},
     };
 }

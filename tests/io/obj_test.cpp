@@ -266,6 +266,20 @@ TEST(WriteObj, WritesTheGraphOfAModelWithoutFaces)
     EXPECT_EQ(written({none, GroupTable(), &graph}, "obj").text, "v 0 0 0\nv 1 0 0\nv 0 0.25 0\nl 1 2\nl 3 2\n");
 }
 
+TEST(WriteObj, WritesTheGraphBesideAMeshUnlessStrutsWereMadeOfIt)
+{
+    Model model = read_text(four_points + "v 5 5 5\n" + tetrahedron_faces + "l 5 1\nl 1 2\n", "obj");
+    ASSERT_TRUE(model.graph);
+    const Model again = there_and_back(view(model), "obj");
+    EXPECT_EQ(again.graph, model.graph);
+    EXPECT_EQ(connections(again.mesh), connections(model.mesh));
+    EXPECT_EQ(points(again.mesh), points(model.mesh));
+    EXPECT_EQ(written(view(model), "stl").notes, std::vector<std::string>{"the graph is not saved in STL"});
+    model.graph->struts.edge_ids = {0, 1};
+    EXPECT_FALSE(there_and_back(view(model), "obj").graph);
+    EXPECT_TRUE(written(view(model), "stl").notes.empty());
+}
+
 TEST(WriteObj, LeavesOpenBoundariesOut)
 {
     const Mesh mesh = open_tube(6);
