@@ -7,6 +7,7 @@ struct Disk {
     enum class Center { face, vertex, edge, elsewhere };
 
     Center center = Center::elsewhere; // elsewhere: it was moved away
+    bool klein = false;                // it lies in Klein's model, where edges are straight and radii larger
     int sides = 0;                     // of the face at the centre
     int folds = 1;                     // by 1/folds of a full turn the tessellation comes upon itself; with a face at the centre
     bool mirrored = false;             // the ray from the centre through the first vertex of the face is a line of symmetry

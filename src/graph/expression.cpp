@@ -30,6 +30,7 @@ public:
 
     void parse()
     {
+        if (at_end()) throw CommandError("expected a formula");
         sum(0);
         if (!at_end()) fail("an operator");
     }
@@ -88,6 +89,8 @@ private:
         if (is_letter(text_[at_])) return word(depth);
         double number = 0;
         const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), number);
+        if (error == std::errc::result_out_of_range)
+            throw CommandError(fmt::format("the number at character {} is too large or too small", at_ + 1));
         if ((!is_digit(text_[at_]) && text_[at_] != '.') || error != std::errc()) fail("a value");
         at_ = static_cast<std::size_t>(end - text_.data());
         steps_.push_back({Code::number, number});
@@ -107,10 +110,10 @@ private:
                                                                                     {"abs", Code::abs}, {"min", Code::min}, {"max", Code::max}}};
         for (const auto& [function, code] : functions) {
             if (name != function) continue;
-            if (!take('(')) fail("( after a function");
+            if (!take('(')) fail(fmt::format("( after {}", name));
             sum(depth + 1);
             if (code == Code::min || code == Code::max) {
-                if (!take(',')) fail(", and a second value");
+                if (!take(',')) fail(fmt::format("a comma and a second value of {}", name));
                 sum(depth + 1);
             }
             close();
@@ -136,7 +139,7 @@ private:
         ++at_;
         return true;
     }
-    [[noreturn]] void fail(const char* expected)
+    [[noreturn]] void fail(std::string_view expected)
     {
         if (at_end()) throw CommandError(fmt::format("expected {} at the end", expected));
         // The word or sign that stands there.
@@ -170,7 +173,8 @@ double Expression::operator()(const Variables& at) const
         };
         const auto combine = [&](const char* sign, auto function) {
             const double b = stack[--height], a = stack[height - 1];
-            stack[height - 1] = require(function(a, b), [&] { return fmt::format("{}{}{}", a, sign, b); });
+            const auto text = [](double x) { return x < 0 ? fmt::format("({})", x) : fmt::format("{}", x); };
+            stack[height - 1] = require(function(a, b), [&] { return text(a) + sign + text(b); });
         };
         switch (step.code) {
         case Code::number: push(step.number); break;

@@ -116,8 +116,9 @@ Graph helix(const Sweep& sweep, const MapShape& shape)
 
 Graph torus(const Sweep& sweep, const MapShape& shape)
 {
-    const int cycles = shape.cycles.value_or(5);
-    const double major = shape.major.value_or(1.6), rho = shape.rho.value_or(1);
+    constexpr SweepSize usual = usual_sweep(MapTo::torus);
+    const int cycles = shape.cycles.value_or(usual.cycles);
+    const double major = shape.major.value_or(usual.major), rho = shape.rho.value_or(usual.rho);
     if (!(rho < major)) throw CommandError(fmt::format("rho={}: expected less than major={}, or the tube would meet itself", rho, major));
     return sweep.make(cycles, true, [&](double r, double theta) {
         const double along = theta / cycles, out = major + rho * r * std::cos(theta);
@@ -127,14 +128,15 @@ Graph torus(const Sweep& sweep, const MapShape& shape)
 
 Graph knot(const Sweep& sweep, const MapShape& shape, std::vector<std::string>& notes)
 {
-    const int cycles = shape.cycles.value_or(9);
-    const double major = shape.major.value_or(2), rho = shape.rho.value_or(0.6), phase = radians(shape.phase);
+    constexpr SweepSize usual = usual_sweep(MapTo::knot);
+    const int cycles = shape.cycles.value_or(usual.cycles);
+    const double major = shape.major.value_or(usual.major), rho = shape.rho.value_or(usual.rho), phase = radians(shape.phase);
     if (!(shape.minor < major)) throw CommandError(fmt::format("minor={}: expected less than major={}", shape.minor, major));
     const Trefoil line(major, shape.minor);
     if (!line.is_bent()) throw CommandError(fmt::format("major={} minor={}: the centre line is straight in a place, and has no frame there", major, shape.minor));
     if (!shape.force)
         if (const double most = line.thickness(); !(rho < most))
-            throw CommandError(fmt::format("rho={}: expected less than {:.4f}, or the tube would meet itself; force=true allows that", rho, most));
+            throw CommandError(fmt::format("rho={}: expected less than {:.4g}, or the tube would meet itself; force=true allows that", rho, most));
     if (cycles % 3 != 0) notes.push_back(fmt::format("cycles={} is no multiple of 3, so the knot is not the same after a third of a turn", cycles));
     return sweep.make(cycles, true, [&](double r, double theta) {
         const Trefoil::Frame f = line.frame(theta / cycles);
@@ -145,6 +147,7 @@ Graph knot(const Sweep& sweep, const MapShape& shape, std::vector<std::string>& 
 Graph mapped(const Graph& graph, const MapShape& shape, const Graph& solid, std::vector<std::string>& notes, Progress& progress)
 {
     if (shape.to == MapTo::disk) return {.vertices = graph.vertices, .edges = graph.edges};
+    if (graph.disk->klein) notes.push_back("the tessellation lies in Klein's disk: it comes nearer to the rim than in Poincaré's, and figures look different");
     if (shape.to == MapTo::polyp) return polyp(graph, shape);
     require_center_face(*graph.disk);
     if (shape.to == MapTo::polyhedron) return map_to_polyhedron(graph, solid);
@@ -158,6 +161,7 @@ Graph mapped(const Graph& graph, const MapShape& shape, const Graph& solid, std:
 Graph map_disk(const Graph& graph, const MapShape& shape, const Graph& solid, std::vector<std::string>& notes, Progress& progress)
 {
     if (!graph.disk) throw CommandError("expected a tessellation of the disk, as graph.tess makes one; a file keeps only its points and lines");
+    if (graph.edges.empty()) throw CommandError("the graph has no edges");
     Graph result = mapped(graph, shape, solid, notes, progress);
     for (std::size_t v = 0; v < result.vertices.size(); ++v) {
         Point& p = result.vertices[v];

@@ -24,12 +24,19 @@ struct MapShape {
     HelixShape shape = HelixShape::sphere;
     double span = 0.9, pitch = 0.3;         // of a sphere the part from pole to pole; of a cylinder the height of a turn
 
-    std::optional<int> cycles{};            // torus, knot: how often the disk is swept; 5 and 9
-    std::optional<double> major{}, rho{};   // torus, knot: radius of the way round and of the disk that is swept; 1.6 and 1, 2 and 0.6
+    std::optional<int> cycles{};            // torus, knot: how often the disk is swept
+    std::optional<double> major{}, rho{};   // torus, knot: radius of the way round and of the disk that is swept
     double minor = 1;                       // knot: how far it swings about that
     double phase = 0;                       // knot: degrees by which the disk is turned
     bool force = false;                     // knot: also where the tube meets itself
 };
+
+/// What a sweep takes where `cycles`, `major` and `rho` are unset. Precondition: torus or knot
+struct SweepSize {
+    int cycles;
+    double major, rho;
+};
+constexpr SweepSize usual_sweep(MapTo to) { return to == MapTo::torus ? SweepSize{5, 1.6, 1} : SweepSize{9, 2, 0.6}; }
 
 /// Maps a graph that lies in the unit disk; (r, θ) below are its polar coordinates.
 ///

@@ -101,16 +101,14 @@ public:
         Tess result;
         Graph& graph = result.graph;
         graph.vertices = std::move(points_);
+        graph.vertices.insert(graph.vertices.end(), along_.begin(), along_.end());
         const auto inner = static_cast<std::uint32_t>(shape_.arc - 1), vertices = growth_.vertex_count(), edges = growth_.edge_count();
-        graph.vertices.reserve(vertices + std::size_t(edges) * inner);
         graph.edges.reserve(std::size_t(edges) * (inner + 1));
         std::vector<std::uint32_t> number(inner > 0 && with_polygons ? std::size_t(vertices) * shape_.config.size() : 0); // of the edge of a half-edge
         for (std::uint32_t e = 0; e < edges; ++e) {
             const TessGrowth::Half h = growth_.edge(e);
             std::uint32_t last = growth_.vertex(h);
-            for (std::uint32_t i = 1; i <= inner; ++i) {
-                const auto next = static_cast<std::uint32_t>(graph.vertices.size());
-                graph.vertices.push_back(place_(growth_.along(h, double(i) / (inner + 1))));
+            for (std::uint32_t next = vertices + e * inner; next < vertices + (e + 1) * inner; ++next) {
                 graph.edges.push_back({last, next});
                 last = next;
             }
@@ -149,17 +147,28 @@ private:
         for (auto v = static_cast<std::uint32_t>(points_.size()); v < growth_.vertex_count(); ++v) points_.push_back(place_(growth_.place(v)));
         for (; measured_ < growth_.edge_count(); ++measured_) {
             const TessGrowth::Half h = growth_.edge(measured_);
-            if (glm::distance(points_[growth_.vertex(h)], points_[growth_.vertex(growth_.other(h))]) >= shortest_tess_edge) continue;
-            complaint_ = fmt::format("edges shorter than {}", shortest_tess_edge);
-            return false;
+            Point last = points_[growth_.vertex(h)];
+            for (int i = 1; i < shape_.arc; ++i) {
+                along_.push_back(place_(growth_.along(h, double(i) / shape_.arc)));
+                if (!is_long_enough(last, along_.back())) return false;
+                last = along_.back();
+            }
+            if (!is_long_enough(last, points_[growth_.vertex(growth_.other(h))])) return false;
         }
         return true;
+    }
+
+    bool is_long_enough(const Point& a, const Point& b)
+    {
+        if (glm::distance(a, b) >= shortest_tess_edge) return true;
+        complaint_ = fmt::format("{} shorter than {}", shape_.arc > 1 ? "pieces of edges" : "edges", shortest_tess_edge);
+        return false;
     }
 
     const TessShape& shape_;
     Placement place_;
     TessGrowth growth_;
-    std::vector<Point> points_;
+    std::vector<Point> points_, along_; // of vertices, and of what lies between the ends of an edge, edge after edge
     std::uint32_t measured_ = 0;
     std::string complaint_;
 };
@@ -182,6 +191,7 @@ int find_center(const TessShape& shape)
 Disk disk_of(const TessShape& shape, const AdjacencySymbol& symbol, int corner)
 {
     Disk disk;
+    disk.klein = shape.model == DiskModel::klein;
     if (shape.shift_x != 0 || shape.shift_y != 0) return disk;
     disk.center = shape.center;
     disk.turn = shape.turn;

@@ -38,7 +38,7 @@ inline constexpr double shortest_tess_edge = 1e-6; // in the chosen model
 /// with its middle at 0; then mirrored in the x axis, turned and shifted. Points between the ends of an edge come after all
 /// vertices and are equally spaced in hyperbolic length. The graph remembers what is at the centre.
 /// @throws CommandError for what is not hyperbolic or has no vertex-uniform tessellation, a centre that is not there, a vertex at infinity
-/// of the half-plane; and, with the most layers that fit, where edges would be shorter than 1e-6 or vertices more than 2 000 000
+/// of the half-plane; and, with the most layers that fit, where edges, or their pieces, would be shorter than 1e-6 or vertices more than 2 000 000
 /// Cost: linear in vertices and polygons: 0.5 µs a vertex. Sources: Hart 2009, 4; Anderson 1999; Grünbaum & Shephard 1987.
 Tess tessellate(const TessShape& shape, bool with_polygons, Progress& progress);
 

@@ -6,33 +6,51 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace druse {
+
+/// What lies at the centre of the disk, and of a face the number of its sides, of an edge its slot; −1: the first one.
+struct TessCenter {
+    Disk::Center what = Disk::Center::face;
+    int number = -1;
+};
+
+/// A word, after `face` and `edge` also with a number: `face:5`.
+template <>
+struct ParameterType<TessCenter> {
+    static constexpr auto type = Parameter::Type::text;
+    static TessCenter parse(std::string_view t, const Domain& d)
+    {
+        const auto colon = t.find(':');
+        const auto at = std::ranges::find(d.words, t.substr(0, colon));
+        TessCenter center{static_cast<Disk::Center>(at - d.words.begin())};
+        try {
+            if (at == d.words.end()) throw CommandError("");
+            if (colon == std::string_view::npos) return center;
+            const long long number = parse_integer(t.substr(colon + 1));
+            if (center.what == Disk::Center::vertex || number < 0 || number > std::numeric_limits<int>::max()) throw CommandError("");
+            center.number = static_cast<int>(number);
+            return center;
+        } catch (const CommandError&) {
+            throw CommandError("expected face, face:N, vertex, edge or edge:S");
+        }
+    }
+    static std::string text(const TessCenter& x, const Domain& d)
+    {
+        const std::string& word = d.words.at(static_cast<std::size_t>(x.what));
+        return x.number < 0 ? word : fmt::format("{}:{}", word, x.number);
+    }
+};
 
 namespace {
 
 struct TessParameters : TessShape {
-    std::string at = "face";
+    TessCenter at;
     std::array<double, 2> shift{0, 0};
     bool faces = false;
 };
-
-/// `face`, `face:N`, `vertex`, `edge` or `edge:S`.
-void read_tess_center(std::string_view text, TessShape& shape)
-{
-    const auto colon = text.find(':');
-    const std::string_view word = text.substr(0, colon);
-    const bool known = word == "face" || word == "edge" || word == "vertex";
-    shape.center = word == "face" ? Disk::Center::face : word == "edge" ? Disk::Center::edge : Disk::Center::vertex;
-    try {
-        if (!known || (word == "vertex" && colon != std::string_view::npos)) throw CommandError("");
-        if (colon == std::string_view::npos) return;
-        const std::uint32_t number = parse_id(text.substr(colon + 1));
-        if (number > 1000) throw CommandError("");
-        shape.center_number = static_cast<int>(number);
-    } catch (const CommandError&) {
-        throw CommandError(fmt::format("center={}: expected face, face:N, vertex, edge or edge:S", text));
-    }
-}
 
 /// The polygons as a mesh: a disk with an open boundary.
 Mesh tess_mesh(const Tess& tess)
@@ -57,7 +75,8 @@ void run_tess(Scene& scene, const TessParameters& p, Context& context)
     shape.shift_y = p.shift[1];
     if (!(shape.shift_x * shape.shift_x + shape.shift_y * shape.shift_y < 1))
         throw CommandError(fmt::format("shift={},{}: expected a point inside the unit disk", shape.shift_x, shape.shift_y));
-    read_tess_center(p.at, shape);
+    shape.center = p.at.what;
+    shape.center_number = p.at.number;
     Tess tess = tessellate(shape, p.faces, context.progress);
     if (p.faces && !tess.polygon_ends.empty()) {
         const std::uint32_t first = scene.mesh.face_limit();
@@ -78,7 +97,7 @@ Operator graph_tess_operator()
     using P = TessParameters;
     return define<P>("graph.tess", "Make a graph of the edges of a tessellation of the hyperbolic plane")
         .param(&P::config, "config", Unit::count, {3, 40}, {3, 12}, "sides of the polygons round every vertex, in order")
-        .param(&P::at, "center", "what is at the centre: face, face:N (of N sides), vertex, edge or edge:S (in slot S of its vertex)")
+        .param(&P::at, "center", words({"face", "vertex", "edge"}), "what is at the centre: face, face:N (of N sides), vertex, edge or edge:S (in slot S of its vertex)")
         .param(&P::layers, "layers", Unit::count, {0, 12}, "how often all vertices that are there are completed")
         .param(&P::model, "model", words({"poincare", "klein", "halfplane"}), "Poincaré's disk, Klein's with straight edges, or the upper half-plane")
         .param(&P::turn, "turn", Unit::degrees, {-360, 360}, "turn about the centre")

@@ -49,15 +49,15 @@ TEST(Expression, KnowsItsFunctionsAndNames)
 
 TEST(Expression, SaysWhereItCannotBeRead)
 {
-    EXPECT_EQ(complaint(""), "expected a value at the end");
+    EXPECT_EQ(complaint(" "), "expected a formula");
     EXPECT_EQ(complaint("1+"), "expected a value at the end");
     EXPECT_EQ(complaint("(1"), "expected ) at the end");
     EXPECT_EQ(complaint("1)"), "expected an operator at character 2, found ')'");
     EXPECT_EQ(complaint("2 q"), "expected an operator at character 3, found 'q'");
     EXPECT_EQ(complaint("2*foo"), "expected x, y, r, t, pi or one of sin cos tan sqrt exp log abs min max at character 3, found 'foo'");
-    EXPECT_EQ(complaint("sin 3"), "expected ( after a function at character 5, found '3'");
-    EXPECT_EQ(complaint("min(1)"), "expected , and a second value at character 6, found ')'");
-    EXPECT_EQ(complaint("1e999"), "expected a value at character 1, found '1'");
+    EXPECT_EQ(complaint("sin 3"), "expected ( after sin at character 5, found '3'");
+    EXPECT_EQ(complaint("min(1)"), "expected a comma and a second value of min at character 6, found ')'");
+    EXPECT_EQ(complaint("2*1e999"), "the number at character 3 is too large or too small");
     EXPECT_EQ(complaint("é"), "expected a value at character 1, found 'é'");
 }
 
@@ -66,7 +66,7 @@ TEST(Expression, SaysWhatHasNoValue)
     EXPECT_EQ(complaint("1/(x+y+1)"), "1/0 is not a finite number");
     EXPECT_EQ(complaint("sqrt(y)"), "sqrt(-4) is not a finite number");
     EXPECT_EQ(complaint("log(0)"), "log(0) is not a finite number");
-    EXPECT_EQ(complaint("y^0.5"), "-4^0.5 is not a finite number");
+    EXPECT_EQ(complaint("y^0.5"), "(-4)^0.5 is not a finite number");
 }
 
 TEST(Expression, IsBoundedInDepthAndNotInLength)

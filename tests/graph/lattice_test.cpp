@@ -136,11 +136,42 @@ TEST(Lattice, HasNoRingOfLessThanTenEdgesInTheNetSrs)
     EXPECT_EQ(least, 10u);
 }
 
+TEST(Lattice, HasFifteenRingsOfTenEdgesThroughEachVertexOfTheNetSrs)
+{
+    const Graph graph = lattice_of({.kind = Net::srs, .cells = {4, 4, 4}, .size = {}});
+    std::vector<std::vector<std::uint32_t>> next(graph.vertices.size());
+    for (const auto& [a, b] : graph.edges) {
+        next[a].push_back(b);
+        next[b].push_back(a);
+    }
+    std::uint32_t middle = 0; // a ring reaches no farther than five bonds, and the cells are four times 2.8 wide
+    for (std::uint32_t v = 0; v < next.size(); ++v)
+        if (glm::length(graph.vertices[v]) < glm::length(graph.vertices[middle])) middle = v;
+    std::vector<std::uint32_t> way{middle};
+    int rings = 0;
+    const auto walk = [&](auto&& self) -> void {
+        for (const std::uint32_t v : next[way.back()]) {
+            if (way.size() == 10) rings += v == middle;
+            else if (std::ranges::find(way, v) == way.end()) {
+                way.push_back(v);
+                self(self);
+                way.pop_back();
+            }
+        }
+    };
+    walk(walk);
+    EXPECT_EQ(rings, 2 * 15); // each in both directions
+}
+
 TEST(Lattice, IsCutToABallOfAnySize)
 {
     const Graph small = lattice_of({.cells = {2, 2, 2}, .trim = Trim::ball, .size = 0.5});
     EXPECT_EQ(row(small), (Row{5, 4, 1, 0})); // a vertex with its neighbours: the next ones are 2 √2 away
     EXPECT_THROW(lattice_of({.trim = Trim::ball, .size = 0.1}), CommandError);
+    for (const double size : {100.0, 1e9, 1e300}) EXPECT_THROW(lattice_of({.trim = Trim::ball, .size = size}), CommandError);
+    // It may go beyond the cells, whose middle it keeps: the same as in more of them.
+    const Graph beyond = lattice_of({.kind = Net::srs, .cells = {2, 2, 2}, .twin = true, .trim = Trim::ball, .size = 2.1});
+    EXPECT_EQ(beyond, lattice_of({.kind = Net::srs, .cells = {6, 6, 6}, .twin = true, .trim = Trim::ball, .size = 2.1}));
 }
 
 TEST(Lattice, ReachesNoFartherThanNumbersDo)

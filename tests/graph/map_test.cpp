@@ -39,7 +39,7 @@ std::string complaint_of_map(const Graph& graph, const MapShape& shape, const Gr
 
 const TessShape fives{.config = {5, 4, 5, 4}, .center_number = 5, .layers = 1};
 
-Graph octahedron()
+Graph unit_octahedron()
 {
     Graph g{.vertices = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}, .edges = {}};
     for (std::uint32_t a = 0; a < 6; ++a)
@@ -156,41 +156,41 @@ TEST(MapDisk, SweepsAlongAKnotWithThreefoldSymmetry)
 
 TEST(MapDisk, PutsSectorsInPlaceOfEdges)
 {
-    const Graph lace = mapped(tess(fives), {.to = MapTo::polyhedron}, octahedron());
+    const Graph lace = mapped(tess(fives), {.to = MapTo::polyhedron}, unit_octahedron());
     EXPECT_EQ(facts(lace).components, 1u);
     EXPECT_GT(facts(lace).shortest_edge, 1e-3);
     EXPECT_LT(asymmetry(lace, pi / 2), 1e-12);
     TessShape turned = fives;
     turned.turn = 33;
-    const Graph same = mapped(tess(turned), {.to = MapTo::polyhedron}, octahedron());
+    const Graph same = mapped(tess(turned), {.to = MapTo::polyhedron}, unit_octahedron());
     ASSERT_EQ(same.edges, lace.edges);
     for (std::size_t v = 0; v < same.vertices.size(); ++v) EXPECT_LT(glm::distance(same.vertices[v], lace.vertices[v]), 1e-12);
     // Pieces of arcs are cut at the rays as edges are.
     for (const int arc : {2, 3}) {
         TessShape bent = fives;
         bent.arc = arc;
-        const Graph arcs = mapped(tess(bent), {.to = MapTo::polyhedron}, octahedron());
+        const Graph arcs = mapped(tess(bent), {.to = MapTo::polyhedron}, unit_octahedron());
         EXPECT_EQ(facts(arcs).cycle_rank, facts(lace).cycle_rank);
     }
 }
 
 TEST(MapDisk, RefusesWhatHasNotTheCentreItNeeds)
 {
-    EXPECT_EQ(complaint_of_map(octahedron(), {}), "expected a tessellation of the disk, as graph.tess makes one; a file keeps only its points and lines");
+    EXPECT_EQ(complaint_of_map(unit_octahedron(), {}), "expected a tessellation of the disk, as graph.tess makes one; a file keeps only its points and lines");
     EXPECT_EQ(complaint_of_map(mapped(tess({}), {}), {}), "expected a tessellation of the disk, as graph.tess makes one; a file keeps only its points and lines");
     EXPECT_EQ(complaint_of_map(tess({.model = DiskModel::halfplane}), {}), "expected a tessellation of the disk, as graph.tess makes one; a file keeps only its points and lines");
     for (const MapTo to : {MapTo::helix, MapTo::torus, MapTo::knot, MapTo::polyhedron}) {
-        EXPECT_EQ(complaint_of_map(tess({.center = Disk::Center::vertex}), {.to = to}, octahedron()),
+        EXPECT_EQ(complaint_of_map(tess({.center = Disk::Center::vertex}), {.to = to}, unit_octahedron()),
                   "expected a face at the centre, not a vertex; graph.tess with center=face or face:N makes one");
-        EXPECT_EQ(complaint_of_map(tess({.center = Disk::Center::edge}), {.to = to}, octahedron()),
+        EXPECT_EQ(complaint_of_map(tess({.center = Disk::Center::edge}), {.to = to}, unit_octahedron()),
                   "expected a face at the centre, not an edge; graph.tess with center=face or face:N makes one");
-        EXPECT_EQ(complaint_of_map(tess({.shift_x = 0.1}), {.to = to}, octahedron()), "expected a face at the centre; the tessellation was shifted away from it");
+        EXPECT_EQ(complaint_of_map(tess({.shift_x = 0.1}), {.to = to}, unit_octahedron()), "expected a face at the centre; the tessellation was shifted away from it");
     }
-    EXPECT_EQ(complaint_of_map(tess({.config = {5, 3, 4, 3, 3}}), {.to = MapTo::polyhedron}, octahedron()),
+    EXPECT_EQ(complaint_of_map(tess({.config = {5, 3, 4, 3, 3}}), {.to = MapTo::polyhedron}, unit_octahedron()),
               "expected mirror rays through the corners of the face at the centre; this face of 5 sides has none, or the tessellation is chiral");
-    EXPECT_EQ(complaint_of_map(tess({.config = {7, 6, 6}, .center_number = 6}), {.to = MapTo::polyhedron}, octahedron()),
+    EXPECT_EQ(complaint_of_map(tess({.config = {7, 6, 6}, .center_number = 6}), {.to = MapTo::polyhedron}, unit_octahedron()),
               "expected mirror rays through the corners of the face at the centre; this face of 6 sides has none, or the tessellation is chiral");
-    EXPECT_EQ(complaint_of_map(tess({.center = Disk::Center::vertex, .layers = 0}), {}), "nothing is left of the graph: it has no edges there");
+    EXPECT_EQ(complaint_of_map(tess({.center = Disk::Center::vertex, .layers = 0}), {}), "the graph has no edges");
 }
 
 TEST(MapDisk, SaysWhereAFormulaHasNoValue)

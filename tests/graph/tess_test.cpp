@@ -236,6 +236,21 @@ TEST(Tess, RefusesMoreThanFitsAndSaysHowMuchDoes)
     EXPECT_EQ(complaint({.center = Center::vertex, .model = DiskModel::halfplane, .shift_x = 1 - 1e-10}), "model=halfplane: a vertex lies at infinity; another turn moves it away");
 }
 
+TEST(Tess, RefusesPiecesOfEdgesThatAreTooShort)
+{
+    // 1e-5 from the rim of the disk a heptagon has edges of 3e-6 to 1e-5.
+    const TessShape whole{.layers = 0, .shift_x = 1 - 1e-5}, pieces{.layers = 0, .shift_x = 1 - 1e-5, .arc = 64};
+    EXPECT_EQ(complaint(whole), "(none)");
+    EXPECT_EQ(complaint(pieces), "layers=0 would give pieces of edges shorter than 1e-06, and so would layers=0");
+}
+
+TEST(Tess, CountsThePiecesOfEdgesAmongItsVertices)
+{
+    // 7,7,7 around a face: V = 15 435 and E = 19 698 after seven layers, 40 432 and 51 597 after eight. With 63 points on each edge
+    // that is 1 256 409, and 3 291 043.
+    EXPECT_EQ(complaint({.layers = 9, .arc = 64}), "layers=9 would give more than 2000000 vertices; expected 7 or less");
+}
+
 TEST(Tess, StopsWhenAskedTo)
 {
     Progress progress;
