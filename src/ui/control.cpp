@@ -138,7 +138,7 @@ std::vector<Control> controls_of(const Operator& op, const Implied& implied)
         c.integer = p.type == Type::integer || p.type == Type::integers;
 
         const auto in_full = implied.find(p.name);
-        const std::string& whole = in_full == implied.end() ? p.default_text : in_full->second;
+        const std::string& whole = in_full == implied.end() ? p.default_text : in_full->second.text;
         const int length = p.fixed_length > 0 ? p.fixed_length : in_full == implied.end() ? 0 : int(split(whole, ',').size());
         const bool list = (p.type == Type::numbers || p.type == Type::integers) && length > 0;
         const bool full = int(split(whole, ',').size()) == length;
@@ -155,11 +155,12 @@ std::vector<Control> controls_of(const Operator& op, const Implied& implied)
             }
             continue;
         }
-        if (p.type == Type::number && in_full != implied.end()) {
+        if ((p.type == Type::number || p.type == Type::integer) && in_full != implied.end()) {
             c.kind = Control::Kind::number;
-            set_slider(c, p.domain.range, number_of(whole));
+            set_slider(c, p.domain.range, in_full->second.usual);
+        } else if (c.kind == Control::Kind::number && !c.initial.empty()) {
+            set_slider(c, p.domain.range, number_of(c.initial));
         }
-        if (c.kind == Control::Kind::number && !c.initial.empty()) set_slider(c, p.domain.range, number_of(c.initial));
         result.push_back(std::move(c));
     }
     return result;

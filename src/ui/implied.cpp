@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "geom/angle.h"
+#include "graph/map.h"
 #include "io/read.h"
 #include "ops/solid.h"
 #include "ops/solid_pattern.h"
@@ -11,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace druse::ui {
 
@@ -48,13 +50,38 @@ Profile read_profile(const Choice& of)
     return {of, degrees(pattern.wall_angles.at(0)), pattern.tiers};
 }
 
-} // namespace
-
-Implied implied_values(const Arguments& arguments, const std::filesystem::path& folder)
+/// A number that stands for `auto`.
+void add_auto(Implied& implied, const Arguments& arguments, const std::string& name, double usual)
 {
-    const Operator& op = arguments.op();
-    const Parameter* solid = op.find("solid");
-    if (op.name != "extrude.solid" || !solid) return {};
+    const std::string text = arguments.text(name);
+    implied[name] = {text == "auto" ? number_text(usual) : text, usual};
+}
+
+Implied implied_by_sweep(const Arguments& arguments)
+{
+    const std::string to = arguments.text("to");
+    if (to != "torus" && to != "knot") return {};
+    const SweepSize usual = usual_sweep(to == "torus" ? MapTo::torus : MapTo::knot);
+    Implied implied;
+    add_auto(implied, arguments, "cycles", usual.cycles);
+    add_auto(implied, arguments, "major", usual.major);
+    add_auto(implied, arguments, "rho", usual.rho);
+    return implied;
+}
+
+Implied implied_by_cells(const Arguments& arguments)
+{
+    if (arguments.text("trim") != "ball") return {};
+    std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+    for (const std::string_view n : split(arguments.text("cells"), ',')) least = std::min(least, parse_id(n));
+    Implied implied;
+    add_auto(implied, arguments, "size", 0.5 * least);
+    return implied;
+}
+
+Implied implied_by_solid(const Arguments& arguments, const std::filesystem::path& folder)
+{
+    const Parameter* solid = arguments.op().find("solid");
     Choice of;
     std::ranges::transform(std::array{"solid", "base", "turns", "phase", "mirror"}, of.texts.begin(), [&](const char* name) { return arguments.text(name); });
     if (of.texts[0].empty()) return {};
@@ -76,15 +103,25 @@ Implied implied_values(const Arguments& arguments, const std::filesystem::path& 
 
     Implied implied;
     const std::string angle = arguments.text("angle"), heights = arguments.text("heights");
-    implied["angle"] = angle.empty() ? number_text(std::round(last.angle * 1e6) / 1e6) : angle;
+    implied["angle"] = {angle.empty() ? number_text(std::round(last.angle * 1e6) / 1e6) : angle, last.angle};
     const auto given = split(heights, ',');
     const bool one_each = int(given.size()) == last.tiers;
-    std::string& all = implied["heights"];
+    std::string& all = implied["heights"].text;
     for (int i = 0; i < last.tiers; ++i) {
         if (i > 0) all += ',';
         all += given[one_each ? std::size_t(i) : 0];
     }
     return implied;
+}
+
+} // namespace
+
+Implied implied_values(const Arguments& arguments, const std::filesystem::path& folder)
+{
+    const std::string& name = arguments.op().name;
+    if (name == "graph.map") return implied_by_sweep(arguments);
+    if (name == "graph.lattice") return implied_by_cells(arguments);
+    return name == "extrude.solid" ? implied_by_solid(arguments, folder) : Implied();
 }
 
 } // namespace druse::ui

@@ -114,7 +114,7 @@ void Session::reset_arguments()
 std::string Session::shown_text(std::string_view parameter) const
 {
     const auto in_full = implied_.find(parameter);
-    return in_full == implied_.end() ? arguments().text(parameter) : in_full->second;
+    return in_full == implied_.end() ? arguments().text(parameter) : in_full->second.text;
 }
 
 /// Whoever depends on the values of the chosen operator follows them: what they imply, and the step that is bound to the panel.
@@ -122,9 +122,9 @@ void Session::arguments_changed()
 {
     Arguments& arguments = arguments_.at(chosen_);
     implied_ = implied_values(arguments, folder());
-    for (const auto& [name, text] : implied_) { // a number for each tier of a solid that is no longer the one
+    for (const auto& [name, value] : implied_) { // a number for each tier of a solid that is no longer the one
         const auto given = split(arguments.text(name), ',').size();
-        if (given > 1 && given != split(text, ',').size()) arguments.set(name, "");
+        if (given > 1 && given != split(value.text, ',').size()) arguments.set(name, "");
     }
     if (bound_ && live_ && !not_live_.contains(chosen_))
         submit({.task = Request::Task::again, .command = arguments.command(*bound_), .target = bound_});

@@ -95,15 +95,43 @@ TEST(Controls, WhatASolidImpliesCanSlide)
     const auto angle = std::find_if(controls.begin(), controls.end(), [](const Control& c) { return c.parameter == "angle"; });
     EXPECT_TRUE(angle->slider);
     EXPECT_EQ(angle->initial, ""); // unset, whatever the solid
-    EXPECT_EQ(implied_values(arguments).at("angle"), "142.98343");
+    EXPECT_EQ(implied_values(arguments).at("angle").text, "142.98343");
     arguments.set("base", "3"); // 7 tiers over a triangle
-    EXPECT_EQ(split(implied_values(arguments).at("heights"), ',').size(), 7u);
+    EXPECT_EQ(split(implied_values(arguments).at("heights").text, ',').size(), 7u);
     arguments.set("solid", "./no_such.obj");
     EXPECT_TRUE(implied_values(arguments).empty());
     arguments.set("base", "");
     arguments.set("solid", "dodecahedron.obj");
-    EXPECT_EQ(implied_values(arguments, DRUSE_MODELS).at("heights"), "1,1,1");
+    EXPECT_EQ(implied_values(arguments, DRUSE_MODELS).at("heights").text, "1,1,1");
     EXPECT_EQ(control("extrude.solid", "heights").kind, Control::Kind::field);
+}
+
+TEST(Controls, WhatAutoStandsForCanSlide)
+{
+    const Operator& op = all_operators().get("graph.map");
+    Arguments arguments(op);
+    const auto row = [&](const char* name) {
+        const auto controls = controls_of(op, implied_values(arguments));
+        return *std::find_if(controls.begin(), controls.end(), [name](const Control& c) { return c.parameter == name; });
+    };
+    EXPECT_FALSE(row("major").slider); // until it is known what is made
+    arguments.set("to", "torus");
+    EXPECT_EQ(implied_values(arguments).at("major").text, "1.6");
+    const Control major = row("major"), cycles = row("cycles");
+    EXPECT_TRUE(major.slider);
+    EXPECT_EQ(major.high, 4 * 1.6);
+    EXPECT_TRUE(cycles.integer);
+    EXPECT_EQ(cycles.high, 20);
+    arguments.set("major", "2.5"); // a slider that is dragged stays where it is
+    EXPECT_TRUE(row("major").is_like(major));
+    EXPECT_EQ(implied_values(arguments).at("major").text, "2.5");
+    arguments.set("to", "knot");
+    EXPECT_EQ(implied_values(arguments).at("rho").text, "0.6");
+
+    Arguments lattice(all_operators().get("graph.lattice"));
+    lattice.set("trim", "ball");
+    lattice.set("cells", "3,2,4");
+    EXPECT_EQ(implied_values(lattice).at("size").text, "1");
 }
 
 TEST(Controls, PiecesOfAListAreReplacedOneByOne)
