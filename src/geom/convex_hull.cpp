@@ -83,7 +83,7 @@ void ConvexHull::begin_with(const std::array<std::uint32_t, 4>& corners)
     facets_[3].neighbour = {0, 2, 1};
 }
 
-bool ConvexHull::build(std::span<const Point> points)
+bool ConvexHull::build(std::span<const Point> points, const Progress* progress)
 {
     const auto n = static_cast<std::uint32_t>(points.size());
     points_.assign(points.begin(), points.end());
@@ -102,8 +102,10 @@ bool ConvexHull::build(std::span<const Point> points)
                 after_[p] = std::exchange(facets_[f].waiting, p);
                 break;
             }
-    for (std::uint32_t p = 0; p < n; ++p)
+    for (std::uint32_t p = 0; p < n; ++p) {
+        if (p % 256 == 0 && progress && progress->cancelled()) throw Cancelled();
         if (sees_[p] != none) insert(p, sees_[p]);
+    }
     return true;
 }
 

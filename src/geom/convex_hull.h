@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geom/point.h"
+#include "geom/progress.h"
 
 #include <array>
 #include <cstdint>
@@ -31,8 +32,8 @@ public:
     };
 
     /// Makes the hull of points, which are added in the order given after the first four that span a solid. False if all of them lie in a plane.
-    /// Precondition: finite, fewer than 2^31.
-    bool build(std::span<const Point> points);
+    /// Precondition: finite, fewer than 2^31. @throws Cancelled, if there is someone to ask
+    bool build(std::span<const Point> points, const Progress* progress = nullptr);
 
     /// Adds one more point, of the next number. False if it does not lie outside; then nothing changes. Cost: O(facets).
     bool add(const Point& p);

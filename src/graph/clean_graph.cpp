@@ -1,12 +1,12 @@
 #include "graph/clean_graph.h"
 
 #include "dlfl/errors.h"
+#include "graph/weld.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 namespace druse {
@@ -54,16 +54,22 @@ std::uint32_t drop_repeated(CleanGraph& clean)
     return count;
 }
 
-/// What vertices with an edge will be called, and how many there are.
-std::uint32_t number_used(const Graph& graph, std::vector<std::uint32_t>& number)
+/// Leaves out vertices without an edge, and tells which were kept.
+std::vector<std::uint32_t> keep_used(Graph& graph)
 {
-    number.assign(graph.vertices.size(), unused);
+    std::vector<std::uint32_t> number(graph.vertices.size(), unused), kept;
     for (const auto& edge : graph.edges)
         for (const std::uint32_t v : edge) number[v] = 0;
-    std::uint32_t count = 0;
-    for (std::uint32_t& n : number)
-        if (n == 0) n = count++;
-    return count;
+    for (std::uint32_t v = 0; v < number.size(); ++v) {
+        if (number[v] == unused) continue;
+        number[v] = static_cast<std::uint32_t>(kept.size());
+        graph.vertices[kept.size()] = graph.vertices[v];
+        kept.push_back(v);
+    }
+    graph.vertices.resize(kept.size());
+    for (auto& edge : graph.edges)
+        for (std::uint32_t& v : edge) v = number[v];
+    return kept;
 }
 
 } // namespace
@@ -80,16 +86,24 @@ std::vector<std::string> GraphRepairs::notes() const
     return lines;
 }
 
-CleanGraph cleaned(const Graph& graph, double weld, GraphRepairs& repairs)
+std::string CleanGraph::vertex_name(std::uint32_t v) const
+{
+    if (vertex_ids[v] < given) return fmt::format("vertex {}", vertex_ids[v]);
+    const Point& p = graph.vertices[v];
+    return fmt::format("the crossing at {:.6g},{:.6g},{:.6g}", p.x, p.y, p.z);
+}
+
+std::string CleanGraph::edge_name(std::uint32_t e, std::uint32_t from) const { return fmt::format("({} {})", edge_ends[e][from], edge_ends[e][1 - from]); }
+
+CleanGraph cleaned(const Graph& graph, double weld, GraphRepairs& repairs, Progress& progress)
 {
     check_coordinates(graph);
     if (graph.edges.empty()) throw CommandError("the graph has no edges");
-    CleanGraph clean{graph, std::vector<std::uint32_t>(graph.vertices.size()), std::vector<std::uint32_t>(graph.edges.size())};
-    std::iota(clean.vertex_ids.begin(), clean.vertex_ids.end(), 0u);
+    CleanGraph clean{graph, static_cast<std::uint32_t>(graph.vertices.size()), {}, std::vector<std::uint32_t>(graph.edges.size())};
     std::iota(clean.edge_ids.begin(), clean.edge_ids.end(), 0u);
     repairs.repeated += drop_repeated(clean);
 
-    const std::vector<std::uint32_t> first = first_within_reach(graph.vertices, weld);
+    const std::vector<std::uint32_t> first = first_within_reach(graph.vertices, weld, progress);
     std::uint32_t welded = 0;
     for (std::uint32_t v = 0; v < first.size(); ++v)
         if (first[v] != v) ++welded;
@@ -99,62 +113,21 @@ CleanGraph cleaned(const Graph& graph, double weld, GraphRepairs& repairs)
         repairs.repeated += drop_repeated(clean);
         repairs.welded += welded;
     }
+    clean.edge_ends.reserve(clean.edge_ids.size());
+    for (const std::uint32_t e : clean.edge_ids) clean.edge_ends.push_back(graph.edges[e]);
     for (std::size_t e = 0; e < clean.graph.edges.size(); ++e)
-        if (const auto& [a, b] = clean.graph.edges[e]; a == b)
-            throw CommandError(fmt::format("edge {} of the graph has no length: it ends at vertex {} where it begins", clean.edge_ids[e], a));
+        if (const auto& [v, w] = clean.graph.edges[e]; v == w)
+            throw CommandError(fmt::format("edge {} of the graph has no length: it ends at vertex {} where it begins", clean.edge_ids[e], v));
 
-    std::vector<std::uint32_t> number;
-    number_used(clean.graph, number);
-    for (std::uint32_t v = 0; v < number.size(); ++v)
-        if (number[v] != unused) clean.vertex_ids[number[v]] = v;
-    const std::uint32_t dropped = drop_isolated(clean.graph);
-    repairs.isolated += dropped - welded;
-    clean.vertex_ids.resize(clean.graph.vertices.size());
+    clean.vertex_ids = keep_used(clean.graph);
+    repairs.isolated += static_cast<std::uint32_t>(graph.vertices.size() - clean.vertex_ids.size()) - welded;
     return clean;
-}
-
-std::vector<std::uint32_t> first_within_reach(const std::vector<Point>& points, double reach)
-{
-    std::vector<std::uint32_t> first(points.size()), order(points.size());
-    std::iota(first.begin(), first.end(), 0u);
-    order = first;
-    const auto root = [&first](std::uint32_t v) {
-        while (first[v] != v) v = first[v] = first[first[v]];
-        return v;
-    };
-    // Sorted along a line that no figure is likely to be square to, only few lie near enough to be looked at.
-    const Vector line = unit(Vector(1.0, std::numbers::sqrt2, std::numbers::e));
-    std::vector<double> place(points.size());
-    Box box;
-    for (std::size_t v = 0; v < points.size(); ++v) {
-        place[v] = glm::dot(points[v], line);
-        box.add(points[v]);
-    }
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return place[a] < place[b] || (place[a] == place[b] && a < b); });
-    // Equal points have equal places; others may be off by the rounding of these.
-    const double farthest = reach > 0 ? reach + 1e-15 * (box.diagonal() + glm::length(box.center())) : 0.0;
-    for (std::size_t i = 0; i < order.size(); ++i)
-        for (std::size_t j = i + 1; j < order.size() && place[order[j]] - place[order[i]] <= farthest; ++j) {
-            const Point &p = points[order[i]], &q = points[order[j]];
-            if (reach > 0 ? !(glm::distance(p, q) <= reach) : p != q) continue;
-            const std::uint32_t a = root(order[i]), b = root(order[j]);
-            first[std::max(a, b)] = std::min(a, b);
-        }
-    for (std::uint32_t v = 0; v < first.size(); ++v) first[v] = root(v);
-    return first;
 }
 
 std::uint32_t drop_isolated(Graph& graph)
 {
-    std::vector<std::uint32_t> number;
-    const std::uint32_t used = number_used(graph, number), dropped = static_cast<std::uint32_t>(number.size()) - used;
-    if (dropped == 0) return 0;
-    for (std::size_t v = 0; v < number.size(); ++v)
-        if (number[v] != unused) graph.vertices[number[v]] = graph.vertices[v];
-    graph.vertices.resize(used);
-    for (auto& edge : graph.edges)
-        for (std::uint32_t& v : edge) v = number[v];
-    return dropped;
+    const std::size_t before = graph.vertices.size();
+    return static_cast<std::uint32_t>(before - keep_used(graph).size());
 }
 
 } // namespace druse

@@ -1,9 +1,14 @@
 #include "graph/graph_facts.h"
 
+#include "geom/angle.h"
+#include "geom/sort_unique.h"
+#include "graph/incidence.h"
+#include "graph/nearest_directions.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -11,42 +16,36 @@ namespace druse {
 
 namespace {
 
-/// The directions in which edges leave each vertex, vertex after vertex.
-class Stars {
+/// The least angle at each vertex. An edge that is there twice is one, and one without a length has no direction.
+class SmallestAngle {
 public:
-    explicit Stars(const Graph& graph) : first_(graph.vertices.size() + 1, 0)
-    {
-        for (const auto& [a, b] : graph.edges) {
-            ++first_[a + 1];
-            ++first_[b + 1];
-        }
-        std::partial_sum(first_.begin(), first_.end(), first_.begin());
-        directions_.resize(first_.back());
-        std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-        for (const auto& [a, b] : graph.edges) {
-            const Vector along = unit(graph.vertices[b] - graph.vertices[a]);
-            directions_[next[a]++] = along;
-            directions_[next[b]++] = -along;
-        }
-    }
+    explicit SmallestAngle(const Graph& graph) : graph_(graph), incidence_(graph) {}
 
-    int valence(std::size_t v) const { return static_cast<int>(first_[v + 1] - first_[v]); }
+    int valence(std::size_t v) const { return static_cast<int>(incidence_.valence(v)); }
 
-    /// Makes `chord` the distance of the two nearest tips of unit vectors at `v`, if it is less.
-    void shorten(std::size_t v, double& chord)
+    /// Makes `least` the least angle of two edges at `v`, if it is less; radians.
+    void lower(std::size_t v, double& least)
     {
-        const auto begin = directions_.begin() + static_cast<std::ptrdiff_t>(first_[v]), end = directions_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]);
-        // Sorted along a line that no figure is likely to be square to, only few lie near enough to be looked at.
-        const Vector line = unit(Vector(1.0, std::numbers::sqrt2, std::numbers::e));
-        const auto place = [&line](const Vector& d) { return glm::dot(d, line); };
-        std::sort(begin, end, [&place](const Vector& a, const Vector& b) { return place(a) < place(b); });
-        for (auto a = begin; a != end; ++a)
-            for (auto b = a + 1; b != end && chord > 0.0 && place(*b) - place(*a) < chord; ++b) chord = std::min(chord, glm::distance(*a, *b));
+        const Point& here = graph_.vertices[v];
+        steps_.clear();
+        for (const std::uint32_t end : incidence_.ends(v)) {
+            const Vector d = graph_.vertices[graph_.edges[end / 2][1 - end % 2]] - here;
+            if (d != Vector(0.0)) steps_.push_back({d.x, d.y, d.z});
+        }
+        sort_unique(steps_);
+        directions_.clear();
+        for (const auto& [x, y, z] : steps_) directions_.push_back(direction({x, y, z}));
+        if (directions_.size() < 2) return;
+        finder_.find(directions_);
+        for (std::uint32_t i = 0; i < directions_.size(); ++i) least = std::min(least, angle_between(directions_[i], directions_[finder_[i]]));
     }
 
 private:
-    std::vector<std::size_t> first_;
+    const Graph& graph_;
+    Incidence incidence_;
+    std::vector<std::array<double, 3>> steps_;
     std::vector<Vector> directions_;
+    NearestDirections finder_;
 };
 
 std::uint32_t count_components(const Graph& graph)
@@ -78,20 +77,20 @@ GraphFacts facts(const Graph& graph)
     r.cycle_rank = std::int64_t(r.edges) - r.vertices + r.components;
     for (const Point& p : graph.vertices) r.bounds.add(p);
 
-    double chord = std::numeric_limits<double>::infinity();
-    Stars stars(graph);
+    double least = std::numeric_limits<double>::infinity();
+    SmallestAngle angle(graph);
     for (std::size_t v = 0; v < graph.vertices.size(); ++v) {
-        ++r.valences[stars.valence(v)];
-        stars.shorten(v, chord);
+        ++r.valences[angle.valence(v)];
+        angle.lower(v, least);
     }
-    if (chord <= 2.0) r.smallest_angle = 2.0 * std::asin(0.5 * chord) * (180.0 / std::numbers::pi);
-    else if (std::isfinite(chord)) r.smallest_angle = 180.0;
+    if (std::isfinite(least)) r.smallest_angle = degrees(least);
 
     if (graph.edges.empty()) return r;
     r.shortest_edge = std::numeric_limits<double>::infinity();
     double sum = 0.0;
     for (const auto& [a, b] : graph.edges) {
-        const double length = glm::distance(graph.vertices[a], graph.vertices[b]);
+        const Vector d = graph.vertices[b] - graph.vertices[a];
+        const double length = std::hypot(d.x, d.y, d.z); // also where a square is too small for a double
         r.shortest_edge = std::min(r.shortest_edge, length);
         r.longest_edge = std::max(r.longest_edge, length);
         sum += length;

@@ -9,11 +9,11 @@
 
 namespace druse {
 
-/// What `druse info` says of a graph.
+/// What `druse info` says of a graph, clean or not: edges that are there twice count twice, and may have no length.
 struct GraphFacts {
     std::uint32_t vertices = 0, edges = 0, components = 0;
     std::int64_t cycle_rank = 0;           // E − V + components: the genus of its struts
-    std::optional<double> smallest_angle;  // degrees, between two edges that meet; nothing where none do
+    std::optional<double> smallest_angle;  // degrees, between edges that meet and go to different places; nothing where none do
     std::map<int, std::uint32_t> valences; // vertices by number of edges
     Box bounds;
     double shortest_edge = 0, mean_edge = 0, longest_edge = 0;

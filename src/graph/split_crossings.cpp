@@ -1,6 +1,7 @@
 #include "graph/split_crossings.h"
 
 #include "geom/segments.h"
+#include "graph/weld.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,7 @@ std::vector<Crossing> crossings(const Graph& graph, const std::vector<PartPair>&
     return list;
 }
 
-CleanGraph split(const CleanGraph& clean, const std::vector<Crossing>& list, double reach, std::uint32_t next_id)
+CleanGraph split(const CleanGraph& clean, const std::vector<Crossing>& list, double reach, Progress& progress)
 {
     // Every crossing gets a vertex on both edges; those that coincide, with each other or with an end, are then one.
     struct Stop {
@@ -53,7 +54,7 @@ CleanGraph split(const CleanGraph& clean, const std::vector<Crossing>& list, dou
         stops.push_back({c.second, c.t, static_cast<std::uint32_t>(points.size())});
         points.push_back(c.place);
     }
-    const std::vector<std::uint32_t> same = first_within_reach(points, 4 * reach);
+    const std::vector<std::uint32_t> same = first_within_reach(points, 4 * reach, progress);
     std::sort(stops.begin(), stops.end(), [](const Stop& a, const Stop& b) {
         return a.edge != b.edge ? a.edge < b.edge : a.place != b.place ? a.place < b.place : a.vertex < b.vertex;
     });
@@ -62,7 +63,7 @@ CleanGraph split(const CleanGraph& clean, const std::vector<Crossing>& list, dou
     result.graph.vertices = std::move(points);
     result.vertex_ids = clean.vertex_ids;
     result.vertex_ids.resize(result.graph.vertices.size());
-    std::iota(result.vertex_ids.begin() + static_cast<std::ptrdiff_t>(clean.vertex_ids.size()), result.vertex_ids.end(), next_id);
+    std::iota(result.vertex_ids.begin() + static_cast<std::ptrdiff_t>(clean.vertex_ids.size()), result.vertex_ids.end(), clean.given);
     auto stop = stops.begin();
     for (std::uint32_t e = 0; e < clean.graph.edges.size(); ++e) {
         const auto& [a, b] = clean.graph.edges[e];
@@ -72,15 +73,20 @@ CleanGraph split(const CleanGraph& clean, const std::vector<Crossing>& list, dou
             result.graph.edges.push_back({before, to});
             if (!clean.graph.normals.empty()) result.graph.normals.push_back(clean.graph.normals[e]);
             result.edge_ids.push_back(clean.edge_ids[e]);
+            result.edge_ends.push_back(clean.edge_ends[e]);
             before = to;
         };
         for (; stop != stops.end() && stop->edge == e; ++stop) add_piece(same[stop->vertex]);
         add_piece(same[b]);
     }
     GraphRepairs repairs;
-    CleanGraph again = cleaned(result.graph, 0, repairs);
+    CleanGraph again = cleaned(result.graph, 0, repairs, progress);
+    again.given = clean.given;
     for (std::uint32_t& v : again.vertex_ids) v = result.vertex_ids[v];
-    for (std::uint32_t& e : again.edge_ids) e = result.edge_ids[e];
+    for (std::size_t e = 0; e < again.edge_ids.size(); ++e) {
+        again.edge_ends[e] = result.edge_ends[again.edge_ids[e]];
+        again.edge_ids[e] = result.edge_ids[again.edge_ids[e]];
+    }
     return again;
 }
 

@@ -19,8 +19,8 @@ struct Crossing {
 /// Those among pairs of parts that come as near as `reach`.
 std::vector<Crossing> crossings(const Graph& graph, const std::vector<PartPair>& pairs, double reach);
 
-/// Puts a vertex where edges cross, or joins them at the end of one of them. The pieces of an edge keep its id, new vertices get `next_id` and what
-/// follows. Precondition: none of them runs along another.
-CleanGraph split(const CleanGraph& clean, const std::vector<Crossing>& list, double reach, std::uint32_t next_id);
+/// Puts a vertex where edges cross, or joins them at the end of one of them. The pieces of an edge keep its id, new vertices get those after all that
+/// were given. Precondition: none of them runs along another. @throws Cancelled
+CleanGraph split(const CleanGraph& clean, const std::vector<Crossing>& list, double reach, Progress& progress);
 
 } // namespace druse

@@ -119,12 +119,12 @@ void BallMaker::make(std::uint32_t v, BallFaces& out)
 {
     const CoordinateGrid grid(graph_.vertices[v], placement_.reach[v]);
     gather(v, grid);
-    bool good = hull_.build(points_) && has_all_sides();
+    bool good = hull_.build(points_, &progress_) && has_all_sides();
     if (const Point middle = grid(graph_.vertices[v]); good && leaves_out(middle, 1e-6 * placement_.reach[v]) && hull_.add(middle)) {
         good = has_all_sides();
         out.apexes.push_back(middle);
     }
-    if (!good) throw CommandError(fmt::format("vertex {}: its struts are too thin for coordinates of that size", v));
+    if (!good) throw CommandError(fmt::format("{}: its struts are too thin for coordinates of that size", placer_.vertex_name(v)));
     if (shape_.merge && !shape_.triangulate) put_merged(out);
     else put_triangles(out);
     out.ball_ends.push_back(static_cast<std::uint32_t>(out.ends.size()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geom/convex_hull.h"
+#include "geom/progress.h"
 #include "graph/strut_placement.h"
 
 #include <cstdint>
@@ -35,14 +36,14 @@ class BallMaker {
 public:
     /// `rims` has corner k of the polygon at end i at i · sides + k, counter-clockwise around the direction of the edge. Borrows all of it.
     BallMaker(const Graph& graph, const Incidence& incidence, const StrutPlacer& placer, const StrutPlacement& placement, const StrutShape& shape,
-              std::span<const Point> rims)
-        : graph_(graph), incidence_(incidence), placer_(placer), placement_(placement), shape_(shape), rims_(rims), sides_(static_cast<std::uint32_t>(shape.sides))
+              std::span<const Point> rims, Progress& progress)
+        : graph_(graph), incidence_(incidence), placer_(placer), placement_(placement), shape_(shape), rims_(rims), sides_(static_cast<std::uint32_t>(shape.sides)), progress_(progress)
     {
     }
 
     /// Adds the faces of a ball: the hull of the polygons at a vertex, without these; and of the vertex where the hull leaves it outside.
     /// Precondition: two edges at least.
-    /// @throws CommandError where the hull does not have the sides of the polygons: these are smaller than coordinates tell apart
+    /// @throws CommandError where the hull does not have the sides of the polygons: these are smaller than coordinates tell apart; Cancelled
     void make(std::uint32_t v, BallFaces& out);
 
 private:
@@ -64,6 +65,7 @@ private:
     const StrutShape& shape_;
     std::span<const Point> rims_;
     std::uint32_t sides_;
+    Progress& progress_;
 
     std::uint32_t v_ = 0;
     std::span<const std::uint32_t> star_; // the ends at v

@@ -3,6 +3,8 @@
 #include "dlfl/triangulate.h"
 #include "geom/box_tree.h"
 #include "geom/segments.h"
+#include "geom/sort_unique.h"
+#include "graph/largest_factor.h"
 #include "graph/strut_part.h"
 
 #include <algorithm>
@@ -55,52 +57,89 @@ bool StrutNeighbours::joined(const PartPair& pair) const
     return false;
 }
 
-bool StrutNeighbours::is_near(const PartPair& pair, const StrutPlacement& placement) const
-{
-    return distance(pair) <= radius(pair[0], placement) + radius(pair[1], placement);
-}
-
-std::vector<PartPair> StrutNeighbours::near(const StrutPlacement& placement, double least, Progress& progress) const
+/// Boxes of all parts, or of edges alone where nothing says how thick they are.
+std::vector<Box> StrutNeighbours::boxes(const StrutPlacement* placement, double least) const
 {
     const auto edges = static_cast<std::uint32_t>(graph_.edges.size());
-    const auto parts = edges + static_cast<std::uint32_t>(graph_.vertices.size());
-    std::vector<Box> boxes(parts);
-    for (std::uint32_t part = 0; part < parts; ++part) {
+    std::vector<Box> list(placement ? edges + graph_.vertices.size() : edges);
+    for (std::uint32_t part = 0; part < list.size(); ++part) {
         if (part < edges) {
-            for (const std::uint32_t v : graph_.edges[part]) boxes[part].add(graph_.vertices[v]);
+            for (const std::uint32_t v : graph_.edges[part]) list[part].add(graph_.vertices[v]);
         } else {
-            boxes[part].add(graph_.vertices[part - edges]);
+            list[part].add(graph_.vertices[part - edges]);
         }
-        const Vector wide(std::max(radius(part, placement), least));
-        boxes[part].min -= wide;
-        boxes[part].max += wide;
+        const Vector wide(placement ? std::max(radius(part, *placement), least) : least);
+        list[part].min -= wide;
+        list[part].max += wide;
     }
+    return list;
+}
+
+/// Calls f(pair, distance) for parts with boxes that overlap and that are not joined, until it returns false.
+template <class F>
+void StrutNeighbours::walk(const std::vector<Box>& boxes, Progress& progress, F&& f) const
+{
     const BoxTree tree(boxes, progress, 0, 0.4);
-    boxes = {};
-    std::vector<PartPair> found;
     tree.for_each_pair(progress, 0.4, [&](std::uint32_t i, std::uint32_t j) {
         const PartPair pair{std::min(i, j), std::max(i, j)};
-        if (joined(pair)) return true;
-        const double d = distance(pair);
-        if (d <= radius(pair[0], placement) + radius(pair[1], placement) || (pair[1] < edges && d <= least)) found.push_back(pair);
-        return true;
+        return joined(pair) || f(pair, distance(pair));
     });
-    std::sort(found.begin(), found.end());
+}
+
+NearParts StrutNeighbours::near(const StrutPlacement& placement, double least, Progress& progress) const
+{
+    const auto edges = static_cast<std::uint32_t>(graph_.edges.size());
+    NearParts found;
+    const auto add_meeting = [&](const PartPair& pair, double d) {
+        if (pair[1] < edges && d <= least) found.meeting.push_back(pair);
+        return found.meeting.size() < NearParts::most;
+    };
+    walk(boxes(&placement, least), progress, [&](const PartPair& pair, double d) {
+        if (d <= radius(pair[0], placement) + radius(pair[1], placement)) found.pairs.push_back(pair);
+        return found.complete = add_meeting(pair, d) && found.pairs.size() < NearParts::most;
+    });
+    if (!found.complete) { // what is thinner overlaps less
+        found.meeting.clear();
+        walk(boxes(nullptr, least), progress, add_meeting);
+    }
+    std::sort(found.pairs.begin(), found.pairs.end());
+    std::sort(found.meeting.begin(), found.meeting.end());
     return found;
 }
 
-double clearing_factor(const StrutNeighbours& neighbours, const StrutPlacer& placer, const std::vector<PartPair>& pairs)
+void StrutNeighbours::for_each_list(const NearParts& known, const StrutPlacement& placement, Progress& progress,
+                                    const std::function<bool(const std::vector<PartPair>&)>& f) const
 {
-    const auto clears = [&](double factor) {
-        const StrutPlacement placement = placer.place(factor);
-        return std::none_of(pairs.begin(), pairs.end(), [&](const PartPair& pair) { return neighbours.is_near(pair, placement); });
-    };
-    double good = 0, bad = 1;
-    while (good < bad * (1 - 1e-9) && bad > 1e-9) {
-        const double middle = 0.5 * (good + bad);
-        (clears(middle) ? good : bad) = middle;
+    if (known.complete) {
+        f(known.pairs);
+        return;
     }
-    return good;
+    std::vector<PartPair> list;
+    bool goes_on = true;
+    const auto tell = [&] {
+        std::sort(list.begin(), list.end());
+        goes_on = f(list);
+        list.clear();
+        return goes_on;
+    };
+    walk(boxes(&placement, 0), progress, [&](const PartPair& pair, double d) {
+        if (d <= radius(pair[0], placement) + radius(pair[1], placement)) list.push_back(pair);
+        return list.size() < NearParts::most || tell();
+    });
+    if (goes_on && !list.empty()) tell();
+}
+
+double StrutNeighbours::clearing_factor(const StrutPlacer& placer, const std::vector<PartPair>& pairs, double most) const
+{
+    std::vector<double> distances;
+    distances.reserve(pairs.size());
+    for (const PartPair& pair : pairs) distances.push_back(distance(pair));
+    return most * largest_factor([&](double factor) {
+        const StrutPlacement placement = placer.place(most * factor);
+        for (std::size_t i = 0; i < pairs.size(); ++i)
+            if (distances[i] <= radius(pairs[i][0], placement) + radius(pairs[i][1], placement)) return false;
+        return true;
+    });
 }
 
 /// What lies at a leaf belongs to the strut that ends there.
@@ -113,15 +152,13 @@ void StrutNeighbours::list_faces(const StrutTable& table, std::uint32_t part, st
     for (const std::uint32_t v : graph_.edges[part]) table.add_cap(v, faces);
 }
 
-StrutContacts StrutNeighbours::contacts(const StrutSurface& surface, const std::vector<PartPair>& pairs, Progress& progress) const
+bool StrutNeighbours::add_contacts(const StrutSurface& surface, const std::vector<PartPair>& pairs, StrutContacts& found, Progress& progress) const
 {
     const Mesh& mesh = surface.mesh;
-    StrutContacts result;
-    FaceData<bool> meets(mesh, false);
     PartTriangles first, second;
     Triangulator triangulator;
     std::vector<Face> faces;
-    for (std::size_t i = 0; i < pairs.size() && result.pairs < StrutContacts::most; ++i) {
+    for (std::size_t i = 0; i < pairs.size() && found.pairs < StrutContacts::most; ++i) {
         if (i % 64 == 0) progress.step(double(i) / double(pairs.size()));
         if (i == 0 || pairs[i][0] != pairs[i - 1][0]) {
             list_faces(surface.table, pairs[i][0], faces);
@@ -129,16 +166,15 @@ StrutContacts StrutNeighbours::contacts(const StrutSurface& surface, const std::
         }
         list_faces(surface.table, pairs[i][1], faces);
         gather(mesh, faces, triangulator, second);
-        const std::uint64_t before = result.pairs;
+        const std::uint64_t before = found.pairs;
         first.for_each_contact(second, [&](const auto& a, const auto& b) {
-            meets[a.face] = meets[b.face] = true;
-            return ++result.pairs < StrutContacts::most;
+            found.faces.insert(found.faces.end(), {a.face, b.face});
+            return ++found.pairs < StrutContacts::most;
         });
-        if (result.pairs > before) result.parts.push_back(pairs[i]);
+        if (found.pairs > before) found.parts.push_back(pairs[i]);
     }
-    for (const Face f : mesh.faces())
-        if (meets[f]) result.faces.push_back(f);
-    return result;
+    sort_unique(found.faces);
+    return found.pairs < StrutContacts::most;
 }
 
 } // namespace druse

@@ -1,6 +1,7 @@
 #include "graph/strut_rim.h"
 
 #include "geom/angle.h"
+#include "geom/predicates.h"
 #include "graph/strut_ball.h"
 
 #include <cmath>
@@ -29,6 +30,12 @@ RimPlacer::RimPlacer(const Graph& graph, const StrutPlacer& placer, const StrutS
             const double angle = 2 * pi * k / shape.sides + radians(shape.phase + end * twist_);
             circles_[end].emplace_back(std::cos(angle), std::sin(angle));
         }
+}
+
+int RimPlacer::diagonal(const Point* a, const Point* b) const
+{
+    if (twist_ == 0) return 0;
+    return orient(a[0], a[1], b[1], b[0]) < 0 ? 1 : -1;
 }
 
 void RimPlacer::place(const StrutPlacement& placement, std::uint32_t edge, Point* corners) const

@@ -21,14 +21,15 @@ public:
     void place(const StrutPlacement& placement, std::uint32_t edge, Point* corners) const;
     /// Points on a circle of radius 1, as steps along the two axes, as the polygon at the first or second end has them.
     const std::vector<Point2>& circle(std::uint32_t end) const { return circles_[end % 2]; }
-    /// What is left of the twist, degrees: a whole number of sides only renames corners.
-    double twist() const { return twist_; }
+    /// Which diagonal cuts the quads of the band between two polygons, a at the first end of an edge and b at its second: 1 that from the earlier
+    /// corner on a, −1 that from the later one, 0 none as all of them are flat. Of the two ways to cut a skew quad one folds outward; it is the same all round.
+    int diagonal(const Point* a, const Point* b) const;
 
 private:
     const Graph& graph_;
     const StrutPlacer& placer_;
     const StrutShape& shape_;
-    double twist_;
+    double twist_; // what is left of it, degrees: a whole number of sides only renames corners
     std::vector<Point2> circles_[2];
 };
 

@@ -4,7 +4,6 @@
 #include "dlfl/mesh_builder.h"
 #include "geom/angle.h"
 #include "geom/do_both.h"
-#include "geom/predicates.h"
 #include "graph/strut_ball.h"
 #include "graph/strut_rim.h"
 
@@ -62,7 +61,7 @@ void SurfaceMaker::place_rims(std::uint32_t from, std::uint32_t to)
 
 void SurfaceMaker::make_balls(std::uint32_t from, std::uint32_t to, BallFaces& out)
 {
-    BallMaker maker(graph_, incidence_, placer_, placement_, shape_, rims_);
+    BallMaker maker(graph_, incidence_, placer_, placement_, shape_, rims_, progress_);
     std::uint64_t ends = 0;
     for (std::uint32_t v = from; v < to; ++v) ends += incidence_.valence(v);
     const std::uint64_t corners = ends * n_;
@@ -113,10 +112,8 @@ void SurfaceMaker::put_struts()
     for (std::uint32_t e = 0; e < edges; ++e) {
         if (e % 1024 == 0) progress_.step(0.75 + 0.1 * double(e) / edges);
         const std::uint32_t a = 2 * e * n_, b = a + n_;
-        int diagonal = shape_.triangulate ? 1 : 0;
-        // Of the two ways to cut a skew quad one folds outward; it is the same all round.
-        if (rim_placer_.twist() != 0) diagonal = orient(rims_[a], rims_[a + 1], rims_[b + 1], rims_[b]) < 0 ? 1 : -1;
-        put_band(a, b, strut_group::strut, diagonal);
+        const int diagonal = rim_placer_.diagonal(rims_.data() + a, rims_.data() + b);
+        put_band(a, b, strut_group::strut, diagonal == 0 && shape_.triangulate ? 1 : diagonal);
     }
 }
 
@@ -134,7 +131,7 @@ void SurfaceMaker::put_cap(std::uint32_t v)
     const Vector out = first ? -placer_.direction(end / 2) : placer_.direction(end / 2); // from the strut to the vertex and on
     const auto before = [this](std::uint32_t k) { return k > 0 ? k - 1 : n_ - 1; };
     const auto after = [this](std::uint32_t k) { return k + 1 < n_ ? k + 1 : 0; };
-    if (rims_[rim] == rims_[rim + 1]) throw CommandError(fmt::format("vertex {}: its strut is too thin for coordinates of that size", v));
+    if (rims_[rim] == rims_[rim + 1]) throw CommandError(fmt::format("{}: its strut is too thin for coordinates of that size", placer_.vertex_name(v)));
     const auto put_cone = [&](std::uint32_t ring, std::uint32_t pole) {
         for (std::uint32_t k = 0; k < n_; ++k) {
             if (first) put({ring + k, pole, ring + after(k)}, strut_group::cap);
@@ -210,13 +207,13 @@ StrutSurface SurfaceMaker::make()
     rims_ = {};
     progress_.step(0.9);
     result.mesh = builder_.build(); // which sees to it that each side has one against it, and each vertex one rotation
-    table.mesh = result.mesh.counts();
-    const auto& [made_vertices, made_edges, made_faces] = table.mesh;
+    const auto& [made_vertices, made_edges, made_faces] = result.mesh.counts();
     ASSERT(std::int64_t(made_vertices) - made_edges + made_faces == 2 * (std::int64_t(vertices) - ends_ / 2), "genus E - V + C of struts in C components");
     table.vertex_ids.resize(vertices);
     table.edge_ids.resize(ends_ / 2);
     std::iota(table.vertex_ids.begin(), table.vertex_ids.end(), 0u);
     std::iota(table.edge_ids.begin(), table.edge_ids.end(), 0u);
+    table.hold(result.mesh);
     return result;
 }
 

@@ -30,7 +30,7 @@ std::uint64_t count_edges(const Graph& graph, const Incidence& incidence, const 
 /// 4 (sides + 1) E − 4 V + 2 A. Balls and struts of one joint meet in their common polygon only.
 /// Corners are rounded to the last digit that the largest coordinate at their vertex has, so that the hulls' signs are those of whole numbers.
 /// Cost: linear but for vertices of many edges, there n log n. Two threads share the balls.
-/// @throws CommandError where the polygons of a vertex are smaller than the last digits of its coordinates, Cancelled
+/// @throws CommandError where the polygons of a vertex are smaller than the last digits of its coordinates; Cancelled
 /// Source: Hart 2009, section 2.
 StrutSurface strut_surface(const Graph& graph, const Incidence& incidence, const StrutPlacer& placer, const StrutPlacement& placement,
                            const StrutShape& shape, Progress& progress);

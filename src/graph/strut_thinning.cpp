@@ -1,25 +1,24 @@
 #include "graph/strut_thinning.h"
 
-#include "geom/predicates.h"
 #include "geom/sort_unique.h"
 #include "graph/strut_ball.h"
 #include "graph/strut_part.h"
 #include "graph/strut_rim.h"
 
+#include <algorithm>
 
 namespace druse {
 
 namespace {
 
-constexpr double step = 0.8;
-constexpr int most_steps = 32; // to less than a thousandth of what was asked for
+constexpr int gentle_rounds = 16;
 
 /// Makes single parts, in triangles.
 class PartMaker {
 public:
-    PartMaker(const Graph& graph, const Incidence& incidence, const StrutPlacer& placer, const StrutShape& shape)
+    PartMaker(const Graph& graph, const Incidence& incidence, const StrutPlacer& placer, const StrutShape& shape, Progress& progress)
         : graph_(graph), incidence_(incidence), shape_(in_triangles(shape)), rim_placer_(graph, placer, shape_), n_(static_cast<std::uint32_t>(shape.sides)),
-          rims_(std::size_t(2) * n_ * graph.edges.size()), ball_maker_(graph, incidence, placer, placement, shape_, rims_)
+          rims_(std::size_t(2) * n_ * graph.edges.size()), ball_maker_(graph, incidence, placer, placement, shape_, rims_, progress)
     {
     }
 
@@ -48,7 +47,7 @@ private:
     void make_strut(std::uint32_t edge, PartTriangles& out)
     {
         const Point *const a = place(edge), *const b = a + n_;
-        const bool from_first = rim_placer_.twist() == 0 || orient(a[0], a[1], b[1], b[0]) < 0; // as the surface is cut
+        const bool from_first = rim_placer_.diagonal(a, b) >= 0; // as the surface is cut
         for (std::uint32_t k = 0; k < n_; ++k) {
             const std::uint32_t l = k + 1 < n_ ? k + 1 : 0;
             out.add({a[k], a[l], from_first ? b[l] : b[k]});
@@ -77,7 +76,8 @@ private:
 
 } // namespace
 
-void thin(const Graph& graph, std::span<const PartPair> pairs, std::vector<double>& factors)
+void thin(const Graph& graph, const Incidence& incidence, const StrutPlacement& placement, std::span<const PartPair> pairs, int round,
+          std::vector<double>& factors)
 {
     const auto edges = static_cast<std::uint32_t>(graph.edges.size());
     std::vector<std::uint32_t> vertices;
@@ -87,20 +87,25 @@ void thin(const Graph& graph, std::span<const PartPair> pairs, std::vector<doubl
             else vertices.insert(vertices.end(), graph.edges[part].begin(), graph.edges[part].end());
         }
     sort_unique(vertices);
-    for (const std::uint32_t v : vertices) factors[v] *= step;
+    const double step = round < gentle_rounds ? 0.8 : 0.5;
+    for (const std::uint32_t v : vertices) {
+        double largest = 0;
+        for (const std::uint32_t end : incidence.ends(v)) largest = std::max(largest, placement.ends[end].radius);
+        factors[v] *= step * std::min(largest / placement.wanted[v], 1.0);
+    }
 }
 
 bool thin_out(const Graph& graph, const Incidence& incidence, const StrutPlacer& placer, const StrutShape& shape, const std::vector<PartPair>& pairs,
               std::vector<double>& factors, Progress& progress)
 {
-    PartMaker maker(graph, incidence, placer, shape);
+    PartMaker maker(graph, incidence, placer, shape, progress);
     PartTriangles first, second;
     std::vector<PartPair> left = pairs, met;
-    for (int round = 0; round < most_steps; ++round) {
-        progress.step(double(round) / most_steps);
+    for (int round = 0; round < most_thinnings; ++round) {
         maker.placement = placer.place(1, factors);
         met.clear();
         for (std::size_t i = 0; i < left.size(); ++i) {
+            if (i % 64 == 0) progress.step(double(round) / most_thinnings);
             if (i == 0 || left[i][0] != left[i - 1][0]) maker.make(left[i][0], first);
             maker.make(left[i][1], second);
             bool meet = false;
@@ -108,7 +113,7 @@ bool thin_out(const Graph& graph, const Incidence& incidence, const StrutPlacer&
             if (meet) met.push_back(left[i]);
         }
         if (met.empty()) return true;
-        thin(graph, met, factors);
+        thin(graph, incidence, maker.placement, met, round, factors);
         std::swap(left, met);
     }
     return false;

@@ -21,6 +21,7 @@ struct Wireframe {
 
 void run_wireframe(Scene& scene, const Wireframe& p, Context&)
 {
+    if (scene.mesh.edge_count() == 0) throw CommandError("there is no mesh to take edges from");
     Graph graph = edge_graph(scene.mesh, p.edges.resolve(scene));
     if (graph.edges.empty()) throw CommandError("there are no edges between two vertices");
     scene.source.replace_with(std::move(graph));

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace druse {
@@ -21,8 +22,9 @@ namespace {
 
 constexpr std::uint64_t most_strut_edges = 20'000'000;
 constexpr double crossing_reach = 1e-9; // of the diagonal
-constexpr int most_rounds = 32;
 constexpr Colour crossing_colour{230, 30, 30};
+
+[[noreturn]] void refuse_to_thin() { throw CommandError("clearance=thin: struts still meet when they are as thin as can be"); }
 
 /// The graph that the document holds, or one of the edges of its mesh.
 Graph graph_to_thicken(const Scene& scene, StrutSource source)
@@ -30,8 +32,10 @@ Graph graph_to_thicken(const Scene& scene, StrutSource source)
     const Graph* graph = std::get_if<Graph>(&*scene.source);
     const bool has_lines = graph && !graph->edges.empty();
     if (source == StrutSource::lines || (source == StrutSource::automatic && has_lines)) return graph_of(scene);
-    if (scene.mesh.edge_count() == 0)
-        throw CommandError(source == StrutSource::edges ? "there is no mesh to take edges from" : "there are no edges: the document holds neither a graph nor a mesh");
+    if (scene.mesh.edge_count() == 0) {
+        if (source == StrutSource::edges) throw CommandError("there is no mesh to take edges from");
+        throw CommandError(graph ? "the graph has no edges" : "there are no edges: the document holds neither a graph nor a mesh");
+    }
     Graph edges = edge_graph(scene.mesh, EdgeSelector::all().resolve(scene));
     if (edges.edges.empty()) throw CommandError("there are no edges between two vertices");
     return edges;
@@ -40,7 +44,7 @@ Graph graph_to_thicken(const Scene& scene, StrutSource source)
 /// A clean graph with all that follows from it, which a split begins anew.
 struct Work {
     Work(CleanGraph c, const StrutShape& shape)
-        : clean(std::move(c)), incidence(clean.graph), placer(clean.graph, incidence, shape), placement(placer.place()), neighbours(clean.graph, incidence)
+        : clean(std::move(c)), incidence(clean.graph), placer(clean, incidence, shape), placement(placer.place()), neighbours(clean.graph, incidence)
     {
     }
     Work(const Work&) = delete; // the parts borrow from each other
@@ -50,71 +54,89 @@ struct Work {
     StrutPlacer placer;
     StrutPlacement placement;
     StrutNeighbours neighbours;
-    std::vector<PartPair> pairs;  // of parts that may meet
-    std::vector<double> factors;  // of the radii at vertices, if some were lowered
+    NearParts near;
+    std::optional<Crossing> meeting; // where edges meet that crossings=ignore leaves alone
+    std::vector<double> factors;     // of the radii at vertices, if some were lowered
 };
 
-std::string name(const CleanGraph& clean, std::uint32_t edge)
-{
-    const auto& [a, b] = clean.graph.edges[edge];
-    return fmt::format("({} {})", clean.vertex_ids[a], clean.vertex_ids[b]);
-}
+std::string names(const CleanGraph& clean, const Crossing& c) { return fmt::format("edges {} and {}", clean.edge_name(c.first), clean.edge_name(c.second)); }
+std::string place_text(const Point& p) { return fmt::format("{:.6g},{:.6g},{:.6g}", p.x, p.y, p.z); }
 
 /// The first thing that makes crossings an error, if there is one.
 std::optional<std::string> complaint(const CleanGraph& clean, const std::vector<Crossing>& found, Crossings what)
 {
     for (const Crossing& c : found)
-        if (c.along) return fmt::format("edges {} and {} run along each other", name(clean, c.first), name(clean, c.second));
+        if (c.along) return names(clean, c) + " run along each other";
     if (found.empty() || what != Crossings::error) return std::nullopt;
-    const Crossing& c = found.front();
-    return fmt::format("edges {} and {} cross at {:.6g},{:.6g},{:.6g}; crossings=split joins them", name(clean, c.first), name(clean, c.second), c.place.x, c.place.y, c.place.z);
+    return fmt::format("{} cross at {}; crossings=split joins them", names(clean, found.front()), place_text(found.front().place));
 }
 
 /// Looks for parts that come near each other, and has an edge end where it crosses another one, if that is what was asked for.
-void join_crossings(std::optional<Work>& work, const Struts& p, std::uint32_t next_id, Context& context)
+void join_crossings(std::optional<Work>& work, const Struts& p, Context& context)
 {
     if (p.crossings == Crossings::ignore && p.clearance == Clearance::off) return;
     Box box;
     for (const Point& v : work->clean.graph.vertices) box.add(v);
     const double reach = crossing_reach * box.diagonal();
-    work->pairs = work->neighbours.near(work->placement, reach, context.progress);
-    if (p.crossings == Crossings::ignore) return;
-    std::vector<Crossing> found = crossings(work->clean.graph, work->pairs, reach);
+    const auto look = [&] {
+        work->near = work->neighbours.near(work->placement, reach, context.progress);
+        return crossings(work->clean.graph, work->near.meeting, reach);
+    };
+    std::vector<Crossing> found = look();
+    if (p.crossings == Crossings::ignore) {
+        if (!found.empty()) work->meeting = found.front();
+        return;
+    }
     if (const auto text = complaint(work->clean, found, p.crossings)) throw CommandError(*text);
     if (found.empty()) return;
-    CleanGraph pieces = split(work->clean, found, reach, next_id);
+    if (found.size() >= NearParts::most) throw CommandError(fmt::format("{} crossings or more: too many to split", NearParts::most));
+    CleanGraph pieces = split(work->clean, found, reach, context.progress);
     work.emplace(std::move(pieces), p);
     context.note(found.size() == 1 ? "1 crossing: split" : fmt::format("{} crossings: split", found.size()));
-    work->pairs = work->neighbours.near(work->placement, reach, context.progress);
-    found = crossings(work->clean.graph, work->pairs, reach);
+    found = look();
     if (const auto text = complaint(work->clean, found, Crossings::error)) throw CommandError(*text);
 }
-
-[[noreturn]] void refuse_to_part(const char* word) { throw CommandError(fmt::format("clearance={}: edges meet, so no radius keeps their struts apart", word)); }
 
 void place_thinner(Work& work, Context& context)
 {
     work.placement = work.placer.place(1, work.factors);
-    work.pairs = work.neighbours.near(work.placement, 0, context.progress);
+    work.near = work.neighbours.near(work.placement, 0, context.progress);
 }
 
 /// Lowers radii as far as that can be told before anything is made.
 void keep_apart(Work& work, const Struts& p, Context& context)
 {
-    if (p.clearance == Clearance::off) work.pairs.clear();
-    std::erase_if(work.pairs, [&](const PartPair& pair) { return !work.neighbours.is_near(pair, work.placement); });
-    if (work.pairs.empty()) return;
+    if (p.clearance == Clearance::off) work.near = {};
+    if ((work.near.pairs.empty() && work.near.complete) || (p.clearance != Clearance::shrink && p.clearance != Clearance::thin)) return;
+    if (const auto& c = work.meeting)
+        throw CommandError(fmt::format("clearance={}: {} meet at {}, so no radius keeps their struts apart; crossings=split joins them",
+                                       p.clearance == Clearance::thin ? "thin" : "shrink", names(work.clean, *c), place_text(c->place)));
+    const auto for_each_list = [&](auto&& f) { work.neighbours.for_each_list(work.near, work.placement, context.progress, f); };
     if (p.clearance == Clearance::shrink) {
-        const double factor = clearing_factor(work.neighbours, work.placer, work.pairs);
-        if (!(factor > 0)) refuse_to_part("shrink");
+        double factor = 1;
+        for_each_list([&](const std::vector<PartPair>& pairs) {
+            factor = work.neighbours.clearing_factor(work.placer, pairs, factor);
+            return true;
+        });
         context.note(fmt::format("radius lowered to {:.6g}, so that nothing meets", p.radius * factor));
         work.placement = work.placer.place(factor);
-        work.pairs.clear();
-    } else if (p.clearance == Clearance::thin) {
+        work.near = {};
+    } else {
         work.factors.assign(work.clean.graph.vertices.size(), 1.0);
-        if (!thin_out(work.clean.graph, work.incidence, work.placer, p, work.pairs, work.factors, context.progress)) refuse_to_part("thin");
+        for_each_list([&](const std::vector<PartPair>& pairs) {
+            if (!thin_out(work.clean.graph, work.incidence, work.placer, p, pairs, work.factors, context.progress)) refuse_to_thin();
+            return true;
+        });
         place_thinner(work, context);
     }
+}
+
+/// The largest radius that fits everywhere, in six digits that do.
+double largest_radius(const Work& work, double radius)
+{
+    const double fits = radius * work.placer.fitting_factor(), digit = std::pow(10.0, std::floor(std::log10(fits)) - 5);
+    const double rounded = std::round(fits / digit) * digit;
+    return work.placer.place(rounded / radius).thinned == 0 ? rounded : std::floor(fits / digit) * digit;
 }
 
 void check_fit(const Work& work, const Struts& p, Context& context)
@@ -122,14 +144,23 @@ void check_fit(const Work& work, const Struts& p, Context& context)
     const StrutPlacement& placement = work.placement;
     if (placement.thinned == 0) return;
     if (p.fit == StrutFit::error)
-        throw CommandError(fmt::format("radius={}: does not fit at vertex {}; the largest that fits everywhere is {:.6g}", number_text(p.radius),
-                                       work.clean.vertex_ids[placement.least_at], p.radius * work.placer.fitting_factor()));
+        throw CommandError(fmt::format("radius={}: does not fit at {}; the largest that fits everywhere is {:.6g}", number_text(p.radius),
+                                       work.clean.vertex_name(placement.least_at), largest_radius(work, p.radius)));
     context.note(fmt::format("{} thinned, least to {:.2g}", placement.thinned == 1 ? "1 end" : fmt::format("{} ends", placement.thinned), placement.least));
 }
 
 StrutSurface make_surface(const Work& work, const Struts& p, Context& context)
 {
     return strut_surface(work.clean.graph, work.incidence, work.placer, work.placement, p, context.progress);
+}
+
+StrutContacts find_contacts(const Work& work, const StrutSurface& made, Context& context)
+{
+    StrutContacts met;
+    work.neighbours.for_each_list(work.near, work.placement, context.progress, [&](const std::vector<PartPair>& pairs) {
+        return work.neighbours.add_contacts(made, pairs, met, context.progress);
+    });
+    return met;
 }
 
 /// Says what was thinned, and what crosses all the same.
@@ -141,8 +172,10 @@ void tell_contacts(const Work& work, const StrutContacts& met, const Struts& p, 
     if (met.pairs == 0) return;
     const std::string text = met.pairs == 1 ? "1 pair of triangles crosses"
                                             : fmt::format("{} pairs of triangles{} cross", met.pairs, met.pairs < StrutContacts::most ? "" : " or more");
-    if (p.clearance == Clearance::error) throw CommandError(text + "; a smaller radius or clearance=thin keeps struts apart");
-    context.note(text + " where struts come too near each other; clearance=thin keeps them apart");
+    const bool edges_meet = work.meeting.has_value();
+    if (p.clearance == Clearance::error) throw CommandError(text + (edges_meet ? "; crossings=split joins edges that meet" : "; a smaller radius or clearance=thin keeps struts apart"));
+    context.note(text + (edges_meet ? " where edges meet or struts come too near each other; crossings=split joins those edges"
+                                    : " where struts come too near each other; clearance=thin keeps them apart"));
 }
 
 /// Struts in place of the mesh or after it, with groups of their own, and red where they cross.
@@ -180,22 +213,22 @@ void make_struts(Scene& scene, const Struts& p, Context& context)
     if (p.frame == StrutFrame::normal && graph.normals.empty()) throw CommandError("frame=normal: the graph came from no mesh that has normals");
     GraphRepairs repairs;
     std::optional<Work> work;
-    work.emplace(cleaned(graph, p.weld, repairs), p);
+    work.emplace(cleaned(graph, p.weld, repairs, context.progress), p);
     for (std::string& note : repairs.notes()) context.note(std::move(note));
     if (const std::uint64_t edges = count_edges(work->clean.graph, work->incidence, p); edges > most_strut_edges)
         throw CommandError(fmt::format("would make {} million edges, more than {} million", edges / 1'000'000, most_strut_edges / 1'000'000));
-    join_crossings(work, p, static_cast<std::uint32_t>(graph.vertices.size()), context);
+    join_crossings(work, p, context);
     keep_apart(*work, p, context);
     check_fit(*work, p, context);
 
     StrutSurface made = make_surface(*work, p, context);
-    StrutContacts met = work->neighbours.contacts(made, work->pairs, context.progress);
+    StrutContacts met = find_contacts(*work, made, context);
     for (int round = 0; p.clearance == Clearance::thin && met.pairs > 0; ++round) { // caps, and struts that widen beside thinner balls
-        if (round == most_rounds) refuse_to_part("thin");
-        thin(work->clean.graph, met.parts, work->factors);
+        if (round == most_thinnings) refuse_to_thin();
+        thin(work->clean.graph, work->incidence, work->placement, met.parts, round, work->factors);
         place_thinner(*work, context);
         made = make_surface(*work, p, context);
-        met = work->neighbours.contacts(made, work->pairs, context.progress);
+        met = find_contacts(*work, made, context);
     }
     tell_contacts(*work, met, p, context);
 
@@ -204,7 +237,7 @@ void make_struts(Scene& scene, const Struts& p, Context& context)
     graph.struts.edge_ids = std::move(work->clean.edge_ids);
     graph.struts.first_face = p.keep ? scene.mesh.face_limit() : 0;
     put_in_place(scene, std::move(made.mesh), p.keep, met);
-    graph.struts.mesh = scene.mesh.counts();
+    if (p.keep) graph.struts.hold(scene.mesh);
     scene.source.replace_with(std::move(graph));
 }
 

@@ -170,7 +170,7 @@ TEST(Sculpture, OfOtherFiguresIsClosedAndMeetsItselfNowhere)
 TEST(Sculpture, IsRefusedWithoutAMeshToTakeEdgesFrom)
 {
     Document document(all_operators());
-    EXPECT_EQ(complaint(document, "graph.sculpture name=bunny-struts"), "graph.sculpture: there are no edges between two vertices");
+    EXPECT_EQ(complaint(document, "graph.sculpture name=bunny-struts"), "graph.sculpture: there is no mesh to take edges from");
     EXPECT_EQ(State(document), State());
     EXPECT_TRUE(complaint(document, "graph.sculpture name=bunny").starts_with("graph.sculpture: name=bunny: expected sand-dollar, "));
 }

@@ -13,6 +13,12 @@
 namespace druse {
 namespace {
 
+CleanGraph cleaned(const Graph& graph, double weld, GraphRepairs& repairs)
+{
+    Progress progress;
+    return druse::cleaned(graph, weld, repairs, progress);
+}
+
 std::string complaint(const Graph& graph, double weld = 0)
 {
     GraphRepairs repairs;

@@ -21,8 +21,15 @@ std::vector<Crossing> found(const Graph& graph)
 
 CleanGraph clean(const Graph& graph)
 {
+    Progress progress;
     GraphRepairs repairs;
-    return cleaned(graph, 0, repairs);
+    return cleaned(graph, 0, repairs, progress);
+}
+
+CleanGraph split_at(const CleanGraph& graph, const std::vector<Crossing>& list)
+{
+    Progress progress;
+    return split(graph, list, reach, progress);
 }
 
 TEST(SplitCrossings, PutsAVertexWhereEdgesCross)
@@ -31,18 +38,18 @@ TEST(SplitCrossings, PutsAVertexWhereEdgesCross)
     const std::vector<Crossing> list = found(cross.graph);
     ASSERT_EQ(list.size(), 1u);
     EXPECT_FALSE(list[0].along);
-    const CleanGraph made = split(cross, list, reach, 100);
+    const CleanGraph made = split_at(cross, list);
     EXPECT_EQ(made.graph.vertices.back(), Point(1, 0, 0));
     EXPECT_EQ(made.graph.edges, (std::vector<std::array<std::uint32_t, 2>>{{0, 4}, {4, 1}, {2, 4}, {4, 3}}));
     EXPECT_EQ(made.edge_ids, (std::vector<std::uint32_t>{0, 0, 1, 1}));
-    EXPECT_EQ(made.vertex_ids, (std::vector<std::uint32_t>{0, 1, 2, 3, 100}));
+    EXPECT_EQ(made.vertex_ids, (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
     EXPECT_TRUE(found(made.graph).empty());
 }
 
 TEST(SplitCrossings, MakesOneVertexOfThreeEdgesThroughAPoint)
 {
     const CleanGraph star = clean({{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}, {{0, 1}, {2, 3}, {4, 5}}});
-    const CleanGraph made = split(star, found(star.graph), reach, 6);
+    const CleanGraph made = split_at(star, found(star.graph));
     EXPECT_EQ(made.graph.vertices.size(), 7u);
     EXPECT_EQ(made.graph.edges.size(), 6u);
     EXPECT_EQ(facts(made.graph).components, 1u);
@@ -51,7 +58,7 @@ TEST(SplitCrossings, MakesOneVertexOfThreeEdgesThroughAPoint)
 TEST(SplitCrossings, JoinsAnEdgeToTheEndOfAnotherThatLiesOnIt)
 {
     const CleanGraph tee = clean({{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1}, {2, 3}}});
-    const CleanGraph made = split(tee, found(tee.graph), reach, 4);
+    const CleanGraph made = split_at(tee, found(tee.graph));
     EXPECT_EQ(made.graph.vertices.size(), 4u);
     EXPECT_EQ(made.graph.edges, (std::vector<std::array<std::uint32_t, 2>>{{0, 2}, {2, 1}, {2, 3}}));
 }

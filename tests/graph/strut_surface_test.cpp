@@ -8,7 +8,9 @@
 #include "graph/edge_graph.h"
 #include "graph/graph_facts.h"
 #include "graph/lattice.h"
+#include "graph/strut_ball.h"
 #include "graph/strut_contacts.h"
+#include "graph/strut_rim.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
@@ -33,16 +35,18 @@ Made make(const Graph& graph, const StrutShape& shape)
 {
     Progress progress;
     GraphRepairs repairs;
-    Made made{cleaned(graph, 0, repairs), {}, false, 0};
+    Made made{cleaned(graph, 0, repairs, progress), {}, false, 0};
     const Graph& g = made.clean.graph;
     const Incidence incidence(g);
-    const StrutPlacer placer(g, incidence, shape);
+    const StrutPlacer placer(made.clean, incidence, shape);
     const StrutPlacement placement = placer.place();
     const StrutNeighbours neighbours(g, incidence);
-    const std::vector<PartPair> pairs = neighbours.near(placement, 0, progress);
-    made.clear = pairs.empty();
+    const NearParts near = neighbours.near(placement, 0, progress);
+    made.clear = near.pairs.empty();
     made.surface = strut_surface(g, incidence, placer, placement, shape, progress);
-    made.contacts = neighbours.contacts(made.surface, pairs, progress).pairs;
+    StrutContacts met;
+    neighbours.add_contacts(made.surface, near.pairs, met, progress);
+    made.contacts = met.pairs;
     return made;
 }
 
@@ -264,6 +268,35 @@ TEST(StrutSurface, KeepsGroupsAndPartsOfAllFaces)
     EXPECT_TRUE(made.table.ball(cube(), 0).empty());
 }
 
+TEST(StrutSurface, KnowsItsPartsNoMoreWhenOtherFacesHaveComeToTheirPlaces)
+{
+    const StrutSurface made = make(star({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), {.merge = false}).surface;
+    Mesh mesh = made.mesh;
+    mesh.set_position(Vertex(0), Point(7));
+    EXPECT_EQ(made.table.strut(mesh, 0), made.table.strut(made.mesh, 0));
+    // The other diagonal of two triangles of the ball: as many vertices, edges and faces as before.
+    for (const Edge e : made.mesh.edges()) {
+        const auto [f, g] = made.mesh.faces(e);
+        if (made.mesh.valence(f) != 3 || made.mesh.valence(g) != 3 || f == g) continue;
+        const Vertex a = made.mesh.vertex(made.mesh.previous(made.mesh.corner(e, 0))), b = made.mesh.vertex(made.mesh.previous(made.mesh.corner(e, 1)));
+        mesh.delete_edge(e);
+        Corner from, to;
+        for (const Face face : mesh.faces())
+            if (mesh.valence(face) == 4)
+                for (const Corner c : mesh.corners(face)) {
+                    const Vertex opposite = mesh.vertex(mesh.next(mesh.next(c)));
+                    if (mesh.vertex(c) == a && opposite == b) from = c, to = mesh.next(mesh.next(c));
+                }
+        mesh.insert_edge(from, to);
+        break;
+    }
+    mesh.compact();
+    EXPECT_SOUND(mesh);
+    EXPECT_EQ(counts(mesh), counts(made.mesh));
+    EXPECT_TRUE(made.table.strut(mesh, 0).empty());
+    EXPECT_TRUE(made.table.ball(mesh, 0).empty());
+}
+
 class RandomGraphs : public testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomGraphs, BecomeSolidsThatMeetThemselvesOnlyWhereTheyAreNear)
@@ -309,15 +342,27 @@ TEST(StrutSurface, IsTheSameWhateverThreadsMakeIt)
     for (int i = 0; i < 3; ++i) EXPECT_TRUE(make(graph, {}).surface.mesh == first);
 }
 
-TEST(StrutSurface, CanBeCancelled)
+TEST(StrutSurface, CanBeCancelledAlsoWithinOneBall)
 {
     Progress progress;
-    const Graph graph = lattice({}, progress);
-    const Incidence incidence(graph);
+    std::vector<Vector> directions;
+    for (int i = 0; i < 300; ++i) directions.push_back(on_cone(degrees(std::acos(1 - (i + 0.5) / 150)), 137.5 * i));
+    GraphRepairs repairs;
+    const CleanGraph clean = cleaned(star(directions), 0, repairs, progress);
+    const Incidence incidence(clean.graph);
     const StrutShape shape;
-    const StrutPlacer placer(graph, incidence, shape);
+    const StrutPlacer placer(clean, incidence, shape);
+    const StrutPlacement placement = placer.place();
+    const RimPlacer rim_placer(clean.graph, placer, shape);
+    std::vector<Point> rims(12 * clean.graph.edges.size());
+    for (std::uint32_t e = 0; e < clean.graph.edges.size(); ++e) rim_placer.place(placement, e, rims.data() + 12 * e);
+    BallMaker maker(clean.graph, incidence, placer, placement, shape, rims, progress);
+    BallFaces faces;
+    maker.make(0, faces);
+    EXPECT_GT(faces.ends.size(), 300u);
     progress.cancel();
-    EXPECT_THROW(strut_surface(graph, incidence, placer, placer.place(), shape, progress), Cancelled);
+    EXPECT_THROW(maker.make(0, faces), Cancelled);
+    EXPECT_THROW(strut_surface(clean.graph, incidence, placer, placement, shape, progress), Cancelled);
 }
 
 } // namespace

@@ -44,7 +44,8 @@ TEST(Wireframe, TakesTheEdgesOfAMeshInItsPlaceOrBesideIt)
     run(scene, "graph.wireframe");
     EXPECT_EQ(counts(scene.mesh), (Counts{0, 0, 0}));
     EXPECT_EQ(graph(scene).edges.size(), 12u);
-    EXPECT_EQ(complaint(Scene(), "graph.wireframe"), "there are no edges between two vertices");
+    EXPECT_EQ(complaint(Scene(), "graph.wireframe"), "there is no mesh to take edges from");
+    EXPECT_EQ(complaint(Scene(), "graph.sculpture", {{"name", "bunny-struts"}}), "there is no mesh to take edges from");
 }
 
 TEST(Lattice, BecomesTheGraphOfTheDocument)
@@ -106,11 +107,14 @@ TEST(Struts, SayWhereTheyAreThinnerThanAskedFor)
 {
     const std::vector<std::pair<std::string, std::string>> thick{{"radius", "0.4"}, {"scale", "absolute"}};
     Scene scene = scene_of(corner());
-    // At the corner a polygon is seen under 0.9 · 45°, on a sphere of radius 0.95 / 2: 0.308488, in place of 0.4.
+    // At the corner a polygon is seen under 0.9 · 45°, on a sphere of radius 0.95 / 2: 0.3084878, in place of 0.4.
     EXPECT_EQ(notes(scene, "graph.struts", thick), Notes{"2 ends thinned, least to 0.77"});
     auto refused = thick;
     refused.emplace_back("fit", "error");
-    EXPECT_EQ(complaint(scene_of(corner()), "graph.struts", refused), "radius=0.4: does not fit at vertex 1; the largest that fits everywhere is 0.308488");
+    EXPECT_EQ(complaint(scene_of(corner()), "graph.struts", refused), "radius=0.4: does not fit at vertex 1; the largest that fits everywhere is 0.308487");
+    for (const char* radius : {"1e+12", "1e+300"}) // nothing depends on how much larger it is
+        EXPECT_EQ(complaint(scene_of(corner()), "graph.struts", {{"radius", radius}, {"scale", "absolute"}, {"fit", "error"}}),
+                  std::string("radius=") + radius + ": does not fit at vertex 1; the largest that fits everywhere is 0.308487");
 }
 
 TEST(Struts, RefuseOrSplitEdgesThatCross)
@@ -122,10 +126,15 @@ TEST(Struts, RefuseOrSplitEdgesThatCross)
     EXPECT_EQ(genus(joined.mesh), 0);
     EXPECT_EQ(crossings(joined), 0u);
     EXPECT_EQ(ids(FaceSelector::parse("strut:1").resolve(joined)).size(), 12u); // two pieces of six sides
-    run(ignored, "graph.struts", {{"crossings", "ignore"}});
+    const Notes said = notes(ignored, "graph.struts", {{"crossings", "ignore"}});
+    ASSERT_EQ(said.size(), 1u); // and it does not advise what is refused
+    EXPECT_NE(said[0].find(" cross where edges meet or struts come too near each other; crossings=split joins those edges"), std::string::npos) << said[0];
     EXPECT_EQ(components(ignored.mesh).parts.size(), 2u);
-    EXPECT_EQ(complaint(scene_of(cross()), "graph.struts", {{"crossings", "ignore"}, {"clearance", "shrink"}}),
-              "clearance=shrink: edges meet, so no radius keeps their struts apart");
+    for (const char* clearance : {"shrink", "thin"})
+        EXPECT_EQ(complaint(scene_of(cross()), "graph.struts", {{"crossings", "ignore"}, {"clearance", clearance}}),
+                  std::string("clearance=") + clearance + ": edges (0 1) and (2 3) meet at 0,0,0, so no radius keeps their struts apart; crossings=split joins them");
+    EXPECT_EQ(complaint(scene_of(cross()), "graph.struts", {{"crossings", "split"}, {"radius", "0.6"}, {"scale", "absolute"}, {"fit", "error"}}),
+              "radius=0.6: does not fit at the crossing at 0,0,0; the largest that fits everywhere is 0.308487");
 }
 
 TEST(Struts, RefuseEdgesThatOverlap)
@@ -135,6 +144,38 @@ TEST(Struts, RefuseEdgesThatOverlap)
     const Graph along{{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{0, 1}, {2, 3}}};
     for (const char* what : {"error", "split"})
         EXPECT_EQ(complaint(scene_of(along), "graph.struts", {{"crossings", what}}), "edges (0 1) and (2 3) run along each other");
+}
+
+TEST(Struts, NameEdgesAndVerticesAsTheyWereGiven)
+{
+    // Vertices 0 and 1 lie at one place, so what is left is numbered anew.
+    const Graph beside{{{0, 0, 0}, {0, 0, 0}, {5, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{1, 4}, {0, 2}, {1, 3}}};
+    EXPECT_EQ(complaint(scene_of(beside), "graph.struts"), "edges (0 2) and (1 3) overlap");
+    const Graph crossed{{{9, 9, 9}, {-1, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 1, 0}}, {{3, 2}, {4, 5}}};
+    EXPECT_EQ(complaint(scene_of(crossed), "graph.struts"), "edges (3 2) and (4 5) cross at 0,0,0; crossings=split joins them");
+    Graph far{{{0, 0, 0}, {1e15, 0, 0}, {1e15, 1, 0}, {1e15, 0, 1}, {0, 0, 0}}, {{1, 2}, {1, 3}}};
+    const std::vector<std::pair<std::string, std::string>> thin{{"radius", "0.01"}, {"scale", "absolute"}, {"clearance", "off"}};
+    EXPECT_EQ(complaint(scene_of(far), "graph.struts", thin), "vertex 1: its struts are too thin for coordinates of that size");
+    far.edges.pop_back();
+    EXPECT_EQ(complaint(scene_of(far), "graph.struts", thin), "vertex 1: its strut is too thin for coordinates of that size");
+}
+
+TEST(Struts, AreKeptApartWhateverRadiusIsAskedFor)
+{
+    for (const char* radius : {"0.1", "100", "1e12", "1e300"}) {
+        const std::vector<std::pair<std::string, std::string>> thick{{"radius", radius}, {"scale", "absolute"}, {"sides", "4"}};
+        auto thin = thick, shrink = thick;
+        thin.emplace_back("clearance", "thin");
+        shrink.emplace_back("clearance", "shrink");
+        Scene thinner = scene_of(two_bars(0.15)), smaller = thinner;
+        run(thinner, "graph.struts", thin);
+        EXPECT_EQ(crossings(thinner), 0u) << radius;
+        EXPECT_EQ(notes(smaller, "graph.struts", shrink), Notes{"radius lowered to 0.075, so that nothing meets"}) << radius;
+    }
+    // As near as edges can be that do not meet.
+    Scene near = scene_of(two_bars(1e-7));
+    run(near, "graph.struts", {{"clearance", "thin"}});
+    EXPECT_EQ(crossings(near), 0u);
 }
 
 TEST(Struts, SayAndColourWhereTheyCrossOrAreMadeThinner)
@@ -218,6 +259,7 @@ TEST(Struts, SayWhatTheyMendInAGraph)
 TEST(Struts, SayWhatTheyCannotBeMadeOf)
 {
     EXPECT_EQ(complaint(Scene(), "graph.struts"), "there are no edges: the document holds neither a graph nor a mesh");
+    EXPECT_EQ(complaint(scene_of({{Point(0)}, {}}), "graph.struts"), "the graph has no edges");
     EXPECT_EQ(complaint(scene_of(corner()), "graph.struts", {{"source", "edges"}}), "there is no mesh to take edges from");
     EXPECT_EQ(complaint(test::scene_of(cube()), "graph.struts", {{"source", "lines"}}),
               "the document holds no graph; graph.wireframe makes one of the edges of a mesh");
