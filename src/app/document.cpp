@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <new>
 
 namespace druse {
 
@@ -61,6 +62,18 @@ void append(Document::Outcome& all, Document::Outcome&& one)
 
 } // namespace
 
+struct Document::Again {
+    const Operator* op;
+    std::unique_ptr<RemeshAgain> run;
+    std::uint64_t version; // of the document after it
+    Column<Point> points;  // room for those of the next one
+};
+
+Document::Document(const Registry& registry) : registry_(&registry) {}
+Document::Document(Document&&) noexcept = default;
+Document& Document::operator=(Document&&) noexcept = default;
+Document::~Document() = default;
+
 // --- the door ---------------------------------------------------------------------------------------------------------------
 
 Document::Outcome Document::apply(std::string_view text, Progress& progress, const fs::path& folder)
@@ -96,13 +109,6 @@ Document::Outcome Document::apply_again(std::string_view text, Progress& progres
     }
 }
 
-struct Document::Again {
-    const Operator* op;
-    std::unique_ptr<RemeshAgain> run;
-    std::uint64_t version; // of the document after it
-    Column<Point> points;  // room for those of the next one
-};
-
 /// Keeps the last step, if it is a run of the same remeshing, and the call changes nothing but where vertices are.
 void Document::keep_last(const Invocation& call, Progress& progress)
 {
@@ -121,13 +127,19 @@ void Document::keep_last(const Invocation& call, Progress& progress)
         throw;
     }
     history_.put_last(scene_, std::move(step));
-    if (run) again_ = std::make_shared<Again>(Again{call.op, std::move(run), version_, {}});
+    if (run && history_.bytes() + run->bytes() <= history_.budget()) again_ = std::make_unique<Again>(Again{call.op, std::move(run), version_, {}});
 }
 
 /// Moves the vertices to where this command would have put them instead of the last one. False where it would have done more than that.
 bool Document::place_again(const Invocation& call, Progress& progress)
 {
-    if (!again_ || again_->version != version_ || again_->op != call.op) keep_last(call, progress);
+    if (!again_ || again_->version != version_ || again_->op != call.op) {
+        try {
+            keep_last(call, progress);
+        } catch (const std::bad_alloc&) {
+            return false; // a whole run needs less
+        }
+    }
     if (!again_) return false;
     Again& again = *again_;
     again.points.reserve(scene_.mesh.vertex_limit());
@@ -273,6 +285,7 @@ Document::Outcome Document::open(const fs::path& file, ScriptCommand command, Pr
         outcome = fresh.run(Script::read(file), progress);
         outcome.text = command.text;
         if (outcome.failed) return outcome;
+        again_.reset();
         scene_ = std::move(fresh.scene_);
         history_ = std::move(fresh.history_);
         without_file_ = fresh.without_file_;
@@ -300,6 +313,7 @@ void Document::begin(Model&& model, ScriptCommand command)
 {
     Scene fresh;
     fill(fresh, std::move(model));
+    again_.reset();
     scene_ = std::move(fresh);
     history_.begin(std::move(command));
     without_file_ = false;

@@ -23,7 +23,10 @@ struct Script;
 /// keeps what it needs to draw beside it and asks version() afterwards.
 class Document {
 public:
-    explicit Document(const Registry& registry) : registry_(&registry) {}
+    explicit Document(const Registry& registry);
+    Document(Document&&) noexcept;
+    Document& operator=(Document&&) noexcept;
+    ~Document();
 
     /// What a command had to say when it succeeded.
     struct Outcome {
@@ -43,7 +46,8 @@ public:
     Outcome apply(std::string_view command);
 
     /// Takes the last step back and runs this command in its place, as dragging a slider after a click does. If it throws, the last
-    /// step stands again. Where both remesh the model, and differ in positions only, nothing but these is made. Precondition: the present state is the end of the history, and it has a step that can be undone.
+    /// step stands again. Where both remesh the model, and differ in positions only, nothing but these is made; for the next such call more is kept
+    /// until the document changes otherwise, if the memory budget of the history has room for it. Precondition: the present state is the end of the history, and it has a step that can be undone.
     /// @throws also CommandError for a command that is no step of the history
     Outcome apply_again(std::string_view command, Progress& progress, const std::filesystem::path& folder = {});
 
@@ -93,7 +97,7 @@ private:
     std::vector<std::filesystem::path> scripts_;
 
     struct Again;
-    std::shared_ptr<Again> again_; // the last step, kept for another apply_again()
+    std::unique_ptr<Again> again_; // the last step, kept for another apply_again(); nothing else finds it here
 };
 
 } // namespace druse

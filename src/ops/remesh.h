@@ -412,6 +412,13 @@ public:
         return true;
     }
 
+    std::size_t bytes() const override
+    {
+        std::size_t sum = sizeof(*this);
+        for (const auto& step : steps_) sum += sizeof(Step) + step->mesh.bytes() + step->old.bytes();
+        return sum;
+    }
+
 private:
     struct Step {
         Mesh mesh;

@@ -3,6 +3,7 @@
 #include "geom/point.h"
 #include "geom/progress.h"
 
+#include <cstddef>
 #include <memory>
 #include <span>
 
@@ -20,6 +21,9 @@ public:
     /// @return false, with nothing written, where they make another mesh than those for which the run was kept
     /// @throws as the operator does
     virtual bool place(const void* parameters, std::span<Point> to, Progress& progress) = 0;
+
+    /// Memory held, in bytes.
+    virtual std::size_t bytes() const = 0;
 };
 
 /// Keeps a run on a mesh that was done with the parameters `before`, for `now`: null where these make another mesh. Cost: less than that run.

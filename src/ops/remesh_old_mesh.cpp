@@ -66,6 +66,13 @@ OldMesh::OldMesh(const Mesh& mesh, int least_valence) : mesh_(mesh)
     if (too_large) throw CommandError("coordinates beyond 1e290 are too large");
 }
 
+std::size_t OldMesh::bytes() const
+{
+    std::size_t sum = own_vertex_.bytes() + own_face_.bytes() + own_next_.bytes() + own_previous_.bytes() + own_corner_of_side_.bytes();
+    for (const Column<std::uint32_t>* column : {&begin_, &across_, &side_, &valence_, &place_around_, &corner_around_, &number_}) sum += column->bytes();
+    return sum;
+}
+
 void OldMesh::read_in_order()
 {
     const MeshTables::View view = MeshTables::view(mesh_);

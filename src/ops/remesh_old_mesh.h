@@ -58,6 +58,9 @@ public:
     std::uint32_t place_around(std::uint32_t c) const { return place_around_[c]; }   // of a corner in that order
     std::uint32_t corner_around(std::uint32_t at) const { return corner_around_[at]; } // at a place in that order
 
+    /// Memory held beside the mesh, in bytes.
+    std::size_t bytes() const;
+
 private:
     void read_in_order();
     void renumber();

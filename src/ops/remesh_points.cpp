@@ -68,6 +68,11 @@ void write_relaxed_vertices(const OldMesh& old, double (*weight)(int m), Point* 
         for (std::uint32_t c = begin; c < last; ++c) to[old.vertex(c)] += old.position(c + 1);
         to[old.vertex(last)] += first;
     }
+    relax_from_sums(old, weight, to);
+}
+
+void relax_from_sums(const OldMesh& old, double (*weight)(int m), Point* to)
+{
     std::vector<double> known; // weights by valence, NaN where not asked for yet
     for (std::uint32_t v = 0; v < old.vertices(); ++v) {
         const std::uint32_t m = old.valence(v);

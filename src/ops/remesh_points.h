@@ -41,6 +41,8 @@ void write_side_points(const OldMesh& old, double t, Point* to);
 void write_face_means(const OldMesh& old, Point* to, Progress& progress);
 /// Old vertices, each moved towards the mean of its neighbours by the fraction `weight(m)` of the way, m its valence.
 void write_relaxed_vertices(const OldMesh& old, double (*weight)(int m), Point* to);
+/// The same where `to` has the sums of the neighbours already.
+void relax_from_sums(const OldMesh& old, double (*weight)(int m), Point* to);
 
 /// For each corner c the point at(c), brought nearer to the mean of its face's corners: a fraction `s` of its distance is left.
 template <class At>

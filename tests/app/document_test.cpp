@@ -370,6 +370,41 @@ TEST(Document, RemeshesAnewWhereMoreThanPositionsChanges)
     }
 }
 
+TEST(Document, RemeshesAnewWhereTheBudgetHasNoRoomForMore)
+{
+    Document document(all_operators()), other(all_operators());
+    Progress progress;
+    document.apply("make.dodecahedron");
+    document.apply("remesh.truncate");
+    document.history().set_budget(document.history().bytes());
+    other.apply("make.dodecahedron");
+    for (const char* drag : {"remesh.truncate t=0.1", "remesh.truncate t=0.2"}) {
+        document.apply_again(drag, progress);
+        EXPECT_EQ(document.history().size(), 2u);
+    }
+    other.apply("remesh.truncate t=0.2");
+    EXPECT_EQ(State(document), State(other));
+    EXPECT_EQ(document.script({}), other.script({}));
+}
+
+TEST(Document, ForgetsWhatItKeptWhenAnotherFileIsOpened)
+{
+    Document document(all_operators()), other(all_operators());
+    Progress progress;
+    document.apply("make.cube");
+    document.apply("remesh.truncate");
+    document.apply_again("remesh.truncate t=0.1", progress); // kept from here on
+    document.open(Model{});
+    for (Document* d : {&document, &other}) {
+        d->apply("make.tetrahedron");
+        d->apply("remesh.truncate");
+    }
+    document.apply_again("remesh.truncate t=0.2", progress);
+    other.apply("document.undo");
+    other.apply("remesh.truncate t=0.2");
+    EXPECT_EQ(State(document).mesh, State(other).mesh);
+}
+
 TEST(Document, KeepsARemeshingThatCannotBeRunAgain)
 {
     // The middle of all vertices lies in the planes of two faces, which have no pole.
