@@ -126,6 +126,9 @@ public:
         for (const Vertex v : mesh_.vertices())
             if (std::string broken = vertex(v, in_vertices); !broken.empty()) return broken;
         if (in_vertices != corners) return fmt::format("{} corners, but the rotations of the vertices pass through {}", corners, in_vertices);
+        const LargestGroup::State kept = mesh_.largest_group_.state(), found = mesh_.find_largest_group();
+        if (mesh_.largest_group_.is_known() && (kept.group != found.group || (found.group > 0 && kept.faces != found.faces)))
+            return fmt::format("group {} of {} faces is the largest, but is known as group {} of {}", found.group, found.faces, kept.group, kept.faces);
         return {};
     }
 

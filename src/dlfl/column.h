@@ -187,10 +187,7 @@ public:
         other.measure();
     }
 
-    /// Pages written since begin_change() that were there before it.
-    std::span<const std::uint32_t> changed_pages() const { return change_.pages; }
     bool changed_whole() const { return change_.whole; }
-    std::uint32_t size_before_change() const { return known_; }
     std::size_t bytes() const { return block_.capacity(); }
 
 private:

@@ -43,15 +43,14 @@ Corner Mesh::corner(Face f, int k) const
 
 void Mesh::set_start(Corner c) { set_face_corner(face(c), c); }
 
-int Mesh::largest_group() const
+int Mesh::largest_group() const { return largest_group_.is_known() ? largest_group_.value() : find_largest_group().group; }
+
+LargestGroup::State Mesh::find_largest_group() const
 {
-    std::int32_t largest = 0;
-    if (free_faces_.empty()) // the rule: a loop without a branch, since every click on a large mesh asks
-        for (const std::int32_t group : face_group_.view()) largest = std::max(largest, group);
-    else
-        for (std::uint32_t i = 0; i < face_limit(); ++i)
-            if (face_corner_[i].valid()) largest = std::max(largest, face_group_[i]);
-    return largest;
+    LargestGroup found;
+    for (std::uint32_t i = 0; i < face_limit(); ++i)
+        if (face_corner_[i].valid()) found.add(face_group_[i]);
+    return found.state();
 }
 
 // --- elements ---------------------------------------------------------------------------------------------------------------
@@ -100,6 +99,7 @@ Edge Mesh::new_edge(Corner a, Corner b)
 
 Face Mesh::new_face(Corner start, int group)
 {
+    largest_group_.add(group);
     if (free_faces_.empty()) {
         ASSERT(face_limit() < Face::boundary_bit - 1, "fewer than 2^31 faces");
         face_corner_.push_back(start);
@@ -143,6 +143,7 @@ void Mesh::free_edge(Edge e)
 
 void Mesh::free_face(Face f)
 {
+    largest_group_.remove(face_group_[f.index]);
     face_corner_.set(f.index, Corner());
     give(free_faces_, f.index);
 }
@@ -276,6 +277,7 @@ void Mesh::replace_in_order(std::span<const Face> faces, std::span<const Patch* 
             start_out[f + k] = resolve(patch.starts_[k + 1]);
             group_out[f + k] = old_group;
         }
+        largest_group_.add(old_group, polygons);
         v += inner;
         e += edges;
         f += polygons;
@@ -415,6 +417,7 @@ void Mesh::append(const Mesh& other)
                   [corner](const std::array<Corner, 2>& p) { return std::array<Corner, 2>{corner(p[0]), corner(p[1])}; });
     append_column(face_corner_, other.face_corner_, corner);
     append_column(face_group_, other.face_group_, [](std::int32_t g) { return g; });
+    largest_group_.forget();
     append_column(boundary_corner_, other.boundary_corner_, corner);
     append_column(vertex_position_, other.vertex_position_, [](const Point& p) { return p; });
     append_column(vertex_corner_, other.vertex_corner_, corner);
@@ -426,6 +429,8 @@ void Mesh::begin_change()
 {
     ASSERT(!is_recording(), "one change recorded at a time");
     ASSERT(!has_holes(), "no holes when a change begins");
+    if (!largest_group_.is_known()) largest_group_.set(find_largest_group());
+    largest_group_.begin_change();
     for_each_column([](auto& column, auto) { column.begin_change(); });
 }
 
@@ -434,6 +439,7 @@ MeshChange Mesh::end_change()
     ASSERT(is_recording(), "a change being recorded");
     ASSERT(!has_holes(), "no holes when a change ends");
     MeshChange change;
+    change.largest_group = largest_group_.end_change();
     for_each_column([&change](auto& column, auto member) { change.*member = column.end_change(); });
     return change;
 }
@@ -442,6 +448,7 @@ void Mesh::exchange(MeshChange& change)
 {
     ASSERT(!is_recording() && !has_holes(), "no change being recorded, and no holes, when going back or forth");
     for_each_column([&change](auto& column, auto member) { column.exchange(change.*member); });
+    largest_group_.exchange(change.largest_group);
 }
 
 void Mesh::roll_back()
@@ -452,6 +459,7 @@ void Mesh::roll_back()
     free_faces_.clear();
     free_corners_.clear();
     for_each_column([](auto& column, auto) { column.roll_back(); });
+    largest_group_.roll_back();
 }
 
 namespace {

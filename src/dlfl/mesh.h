@@ -2,6 +2,7 @@
 
 #include "dlfl/column.h"
 #include "dlfl/handle.h"
+#include "dlfl/largest_group.h"
 #include "geom/point.h"
 
 #include <array>
@@ -28,6 +29,7 @@ struct Renumbering {
 
 /// What one command changed in a mesh; see Column::exchange.
 struct MeshChange {
+    LargestGroup::State largest_group;
     ColumnChange<Vertex> corner_vertex;
     ColumnChange<Corner> corner_next, corner_previous;
     ColumnChange<Face> corner_face;
@@ -137,7 +139,11 @@ public:
     int group(Face f) const { return face_group_[f.index]; } // 0 = ungrouped. Precondition: not a boundary face
 
     void set_position(Vertex v, const Point& p) { vertex_position_.set(v.index, p); }
-    void set_group(Face f, int group) { face_group_.set(f.index, group); }
+    void set_group(Face f, int group)
+    {
+        largest_group_.replace(face_group_[f.index], group);
+        face_group_.set(f.index, group);
+    }
     /// Makes `c` the start corner of its face.
     void set_start(Corner c);
 
@@ -146,10 +152,15 @@ public:
     std::span<const Point> positions() const { return vertex_position_.view(); }
     std::span<const std::int32_t> groups() const { return face_group_.view(); }
     std::span<Point> write_positions() { return {vertex_position_.write(0, vertex_position_.size()), vertex_position_.size()}; }
-    std::span<std::int32_t> write_groups() { return {face_group_.write(0, face_group_.size()), face_group_.size()}; }
+    std::span<std::int32_t> write_groups() { return {write_groups(0, face_limit()), face_limit()}; }
     /// The groups of faces first … first + count − 1.
-    std::int32_t* write_groups(std::uint32_t first, std::uint32_t count) { return face_group_.write(first, count); }
-    int largest_group() const; // 0 if no face is grouped
+    std::int32_t* write_groups(std::uint32_t first, std::uint32_t count)
+    {
+        largest_group_.forget();
+        return face_group_.write(first, count);
+    }
+    /// 0 if no face is grouped. Cost: O(1), or O(F) after groups were written in bulk until a change is begun.
+    int largest_group() const;
 
     // --- the four minimal operators (Akleman, Chen & Srinivasan 2003) ---------------------------------------------------
 
@@ -244,6 +255,7 @@ private:
     Vertex new_vertex(const Point& p);
     Edge new_edge(Corner a, Corner b);
     Face new_face(Corner start, int group);
+    LargestGroup::State find_largest_group() const;
     Corner new_corner(Vertex v);
     void free_vertex(Vertex v);
     void free_edge(Edge e);
@@ -294,6 +306,7 @@ private:
     Column<Point> vertex_position_;
     Column<Corner> vertex_corner_;
 
+    LargestGroup largest_group_;
     Holes free_vertices_, free_edges_, free_faces_, free_corners_;
 };
 

@@ -115,6 +115,7 @@ void MeshAssembler::number_faces(Mesh& mesh, std::span<const std::int32_t> group
             numbers.push_back(Face(mesh.face_corner_.size()));
             mesh.face_corner_.push_back(start_[f]);
             mesh.face_group_.push_back(groups[f]);
+            mesh.largest_group_.add(groups[f]);
         }
     }
     for (std::uint32_t c = 0; c < face_.size(); ++c) face_.set(c, numbers[face_[c].index]);

@@ -54,6 +54,7 @@ void MeshBuilder::hand_over(Mesh& mesh)
     mesh.corner_vertex_ = std::move(corners_);
     mesh.vertex_position_ = std::move(positions_);
     mesh.face_group_ = std::move(groups_);
+    mesh.largest_group_.forget();
     ends_ = {};
 }
 

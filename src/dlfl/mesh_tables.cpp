@@ -24,6 +24,7 @@ MeshTables::MeshTables(std::uint64_t vertices, std::uint64_t edges, std::uint64_
     edge_corners = room(mesh_.edge_corners_, edges);
     start = room(mesh_.face_corner_, faces);
     group = room(mesh_.face_group_, faces);
+    mesh_.largest_group_.forget();
     position = room(mesh_.vertex_position_, vertices);
     vertex_corner = room(mesh_.vertex_corner_, vertices);
 }
@@ -82,6 +83,7 @@ void MeshTables::append_reversed(Mesh& mesh)
         } while (c != first);
     }
     std::copy_n(group - faces, faces, group);
+    mesh.largest_group_.forget();
     std::copy_n(position - vertices, vertices, position);
     for (std::uint32_t v = 0; v < vertices; ++v) vertex_corner[v] = Corner(mesh.vertex_corner_[v].index + corners);
 }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -180,6 +181,47 @@ TEST(MeshChange, OfACopyIsItsOwn)
     EXPECT_EQ(copy, mesh);
     mesh.roll_back();
     EXPECT_EQ(mesh, cube());
+}
+
+TEST(LargestGroup, IsThatOfTheFacesAfterEveryEditAndOnTheWayBack)
+{
+    std::mt19937 random(5);
+    const auto below = [&](std::uint32_t n) { return std::uint32_t(random() % n); };
+    Mesh mesh = torus(12, 9);
+    std::vector<MeshChange> changes;
+    const auto look = [&] {
+        int largest = 0;
+        for (const Face f : mesh.faces()) largest = std::max(largest, mesh.group(f));
+        ASSERT_EQ(mesh.largest_group(), largest);
+        ASSERT_EQ(check(mesh), "");
+    };
+    for (int step = 0; step < 300; ++step) {
+        mesh.begin_change();
+        for (int i = 0; i < 3; ++i) {
+            const Face f(below(mesh.face_limit()));
+            switch (below(6)) {
+            case 0: mesh.set_group(f, mesh.largest_group() + int(below(2))); break;
+            case 1: mesh.set_group(f, int(below(4))); break;
+            case 2: mesh.insert_edge(mesh.corner(f, 0), mesh.corner(f, mesh.valence(f) / 2)); break;
+            case 3:
+                if (mesh.face_count() > 20) mesh.delete_edge(Edge(below(mesh.edge_limit())));
+                mesh.compact();
+                break;
+            case 4: mesh.write_groups()[f.index] = int(below(9)); break;
+            default:
+                if (below(20) == 0) mesh = torus(12, 9);
+            }
+        }
+        look();
+        if (below(5) == 0) mesh.roll_back();
+        else changes.push_back(mesh.end_change());
+        look();
+    }
+    for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
+        mesh.exchange(*change);
+        look();
+    }
+    EXPECT_EQ(mesh.largest_group(), 0);
 }
 
 TEST(MeshChange, RefusesHolesAndNesting)
