@@ -87,7 +87,7 @@ void remesh_again(benchmark::State& state, const Operator& op, bool triangles, d
     const Mesh input = torus(std::int64_t(double(state.range(0)) / growth), triangles);
     const auto parameters = op.make();
     Progress progress;
-    const auto kept = keep_run(op)(input, parameters.get(), parameters.get(), progress);
+    const auto kept = op.keep(input, parameters.get(), parameters.get(), progress);
     Column<Point> points;
     const std::uint32_t count = remeshed(op, input).vertex_limit();
     const std::span<Point> to(points.extend(count), count);

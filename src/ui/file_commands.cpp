@@ -38,6 +38,7 @@ void FileCommands::open()
 
 void FileCommands::open(const std::filesystem::path& file)
 {
+    if (open_elsewhere && open_elsewhere(file)) return;
     if (!may_leave()) return;
     session_.open(file);
 }
@@ -74,7 +75,7 @@ bool FileCommands::save()
 
 bool FileCommands::save_as()
 {
-    const auto file = ask_where_to_save("Save as", proposal(".obj"));
+    const auto file = ask_where_to_save("Save as", proposal(usual_extension.c_str()));
     return file && save_to(*file);
 }
 

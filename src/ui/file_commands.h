@@ -13,6 +13,11 @@ class FileCommands {
 public:
     explicit FileCommands(Session& session) : session_(session) {}
 
+    /// Of files that have no name yet.
+    std::string usual_extension = ".obj";
+    /// Opens a file that is none for this document somewhere else. @return true if it has done so
+    std::function<bool(const std::filesystem::path&)> open_elsewhere;
+
     void start_over();
     void open();
     void open(const std::filesystem::path& file);

@@ -22,6 +22,7 @@ struct Layout {
     /// The side columns in a window of that width.
     int left_width(int window) const { return window < px(1100) ? px(256) : px(288); }
     int right_width(int window) const { return window < px(1100) ? px(216) : px(252); }
+    int tile_side_width() const { return px(256); } // of the tile editor
     int least_side_width() const { return px(200); }
     int least_view_width() const { return px(320); }
     int tree_height() const { return px(300); }

@@ -112,6 +112,11 @@ void add_group_actions(Actions& list, MainWindow& w)
     list.push_back({.path = "Group/Smaller brush", .shortcut = ',', .run = [&groups] { groups.resize_brush(-brush_step); }, .divider = true});
 }
 
+void add_tile_actions(Actions& list, MainWindow& w)
+{
+    list.push_back({.path = "Tile/Tile editor…", .shortcut = FL_F + 6, .run = [&w] { w.tile_editor(); }, .divider = true});
+}
+
 void add_view_actions(Actions& list, MainWindow& w)
 {
     View& view = w.view();
@@ -159,6 +164,7 @@ Actions main_actions(MainWindow& window)
     add_edit_actions(list, window);
     add_select_actions(list, window);
     add_group_actions(list, window);
+    add_tile_actions(list, window);
     add_view_actions(list, window);
     list.push_back({"Help/This operator", FL_F + 1, [&window] { window.show_help(); }});
     return list;

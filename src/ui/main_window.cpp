@@ -9,6 +9,7 @@
 #include "ui/palette.h"
 #include "ui/preferences_dialog.h"
 #include "ui/theme.h"
+#include "ui/tile_window.h"
 
 #include "render/png.h"
 
@@ -105,6 +106,11 @@ MainWindow::MainWindow(Session& session, Preferences& preferences, const Options
         if (view_.is_animating()) animate_.start(frame_time);
     };
     view_.on_menu = [this](const Pointer& pointer) { show_context_menu(*this, pointer); };
+    files_.open_elsewhere = [this](const std::filesystem::path& file) {
+        if (file.extension() != ".tile") return false;
+        tile_editor().open(file);
+        return true;
+    };
     viewport_.on_drop = [this](const std::string& uris) { files_.drop(uris); };
     pictures_.on_ready = [this] { tree_.redraw(), parameters_.redraw(); };
     menu_->on_operator = [this](const Operator& op) { choose(op); };
@@ -405,9 +411,35 @@ void MainWindow::show_log()
     show_text("Log", text.empty() ? "Nothing was said yet." : text);
 }
 
+TileWindow& MainWindow::tile_editor()
+{
+    if (!tile_editor_) {
+        tile_editor_ = std::make_unique<TileWindow>(session_.registry(), preferences_, options_.test, w(), h());
+        tile_editor_->on_event = [this](const std::string& line) { event("tile: " + line); };
+        tile_editor_->on_export = [this](Script script) {
+            if (!options_.test && !files_.may_leave()) return;
+            framed_ = false; // it is framed
+            session_.run_script(std::move(script));
+            if (shown()) show(); // in front
+        };
+    }
+    if (!tile_editor_->shown()) {
+        tile_editor_->size(w(), h());
+        tile_editor_->position(x_root(), y_root());
+    }
+    tile_editor_->show();
+    return *tile_editor_;
+}
+
+void MainWindow::open(const std::filesystem::path& file)
+{
+    if (!files_.open_elsewhere(file)) session_.open(file);
+}
+
 void MainWindow::quit()
 {
-    if (!options_.test && !files_.may_leave()) return;
+    if (!options_.test && ((tile_editor_ && !tile_editor_->may_close()) || !files_.may_leave())) return;
+    if (tile_editor_) tile_editor_->hide();
     preferences_.x = x_root();
     preferences_.y = y_root();
     preferences_.width = w();

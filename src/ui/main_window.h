@@ -27,6 +27,8 @@
 
 namespace druse::ui {
 
+class TileWindow;
+
 /// Puts the parts of the window side by side and tells each when the session has changed. What they do is in them.
 class MainWindow : public Fl_Double_Window {
 public:
@@ -63,6 +65,10 @@ public:
     void show_help();
     void show_log();
     void quit();
+    /// The tile editor, opened where it is not open yet.
+    TileWindow& tile_editor();
+    /// Opens a file: a tile in the tile editor.
+    void open(const std::filesystem::path& file);
     /// Chooses an operator and shows it; one without parameters runs.
     void choose(const Operator& op);
 
@@ -100,6 +106,8 @@ private:
     Section history_section_, groups_section_, facts_section_;
     Divider left_divider_, right_divider_, tree_divider_;
     StatusBar status_;
+
+    std::unique_ptr<TileWindow> tile_editor_;
 
     Timer show_progress_, count_facts_, forget_failed_, animate_, give_up_view_;
 

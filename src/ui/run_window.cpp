@@ -100,7 +100,7 @@ int run_window(const WindowOptions& options)
     window.show();
     window.viewport().show();
     window.viewport().take_focus();
-    if (!options.file.empty()) session.open(options.file);
+    if (!options.file.empty()) window.open(options.file);
     Fl::check();
     log.write("ready");
     const auto close_all = [] {

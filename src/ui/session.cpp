@@ -221,6 +221,8 @@ void Session::run_chosen(const std::string& command)
     run(command);
 }
 
+void Session::run_script(Script script) { submit({.task = Request::Task::script, .script = std::move(script)}); }
+
 void Session::go_to(std::size_t step) { run(fmt::format("document.goto step={}", step)); }
 
 void Session::open(const std::filesystem::path& file) { submit({.task = Request::Task::open, .file = std::filesystem::absolute(file)}); }
@@ -271,6 +273,7 @@ void Session::begin(Request request)
     in_flight_ = true;
     switch (request_.task) {
     case Request::Task::open: doing_ = "opening " + request_.file.filename().string(); break;
+    case Request::Task::script: doing_ = request_.script.name; break;
     case Request::Task::save: doing_ = "writing " + request_.file.filename().string(); break;
     case Request::Task::copy: doing_ = "autosave"; break;
     case Request::Task::count: doing_ = "counting"; break;
@@ -311,6 +314,14 @@ void Session::perform(const Request& request, Progress& progress, Result& result
         result.outcome = document_.open(request.file, progress);
         result.change.emplace(document_, whole_delta());
         break;
+    case Request::Task::script: {
+        Document fresh(registry_);
+        result.outcome = fresh.run(request.script, progress);
+        if (result.outcome.failed) break;
+        document_ = std::move(fresh);
+        result.change.emplace(document_, whole_delta());
+        break;
+    }
     case Request::Task::clear:
         document_ = Document(registry_);
         result.change.emplace(document_, whole_delta());
@@ -403,7 +414,7 @@ void Session::report(const Request& request, const Result& result, const std::op
     if (is_background(request)) return;
 
     failed_.clear();
-    if (request.task == Request::Task::open && result.outcome.failed) { // a strict query in the script: nothing was opened
+    if ((request.task == Request::Task::open || request.task == Request::Task::script) && result.outcome.failed) { // a strict query in the script: nothing was opened
         say(Message::Kind::error, result.outcome.failure);
         return;
     }
@@ -423,6 +434,7 @@ void Session::report(const Request& request, const Result& result, const std::op
         event((request.keep_file ? "exported " : "saved ") + request.file.string());
         if (result.outcome.notes.empty()) say(Message::Kind::note, (request.keep_file ? "exported " : "saved ") + name);
         break;
+    case Request::Task::script: event("took " + request.script.name); break;
     case Request::Task::clear: event("cleared"); break;
     default: {
         const std::string operator_name = result.outcome.text.substr(0, result.outcome.text.find(' '));
@@ -434,7 +446,7 @@ void Session::report(const Request& request, const Result& result, const std::op
                 operator_name + (result.outcome.failed ? ": found something wrong" : ": done"));
             if (on_output) on_output(operator_name, result.outcome.output);
         }
-        if (request.task == Request::Task::again && result.took > too_slow_for_live) {
+        if (request.task == Request::Task::again && request.target && result.took > too_slow_for_live) {
             not_live_.insert(chosen_);
             say(Message::Kind::note, operator_name + " is too slow here to follow a slider: press Apply");
         }
@@ -474,6 +486,9 @@ void Session::follow_saved_state(const Request& request, const Result& result)
     if (request.task == Task::open || request.task == Task::clear) {
         file_ = request.file;
         saved_ = position();
+    } else if (request.task == Task::script) {
+        file_.clear();
+        saved_.reset();
     } else if (request.task == Task::save) {
         if (request.keep_file) return;
         file_ = request.file;

@@ -7,6 +7,7 @@
 
 #include "app/document.h"
 #include "app/preset_file.h"
+#include "app/script.h"
 
 #include <chrono>
 #include <exception>
@@ -62,6 +63,8 @@ public:
     const Registry& registry() const { return registry_; }
     /// The mesh itself, for looking up corners; null while a command works on it. What runs in the background only reads it.
     const Mesh* mesh() const { return is_working() ? nullptr : &document_.scene().mesh; }
+    /// All that the document holds; null at the same times.
+    const Scene* scene() const { return is_working() ? nullptr : &document_.scene(); }
     /// Which of its faces are a crust's; null at the same times.
     const Rind* rind() const { return is_working() ? nullptr : &document_.scene().rind; }
 
@@ -108,8 +111,12 @@ public:
     void repeat();
     /// Runs any command.
     void run(const std::string& command);
+    /// Runs a command in place of the last step, which stands if it is refused; of several that wait only the newest is run.
+    void run_again(const std::string& command) { submit({.task = Request::Task::again, .command = command}); }
     /// The same of one that was chosen in a menu or dialog; the event log tells of it.
     void run_chosen(const std::string& command);
+    /// Makes a script's commands, run from an empty document, the history: the document has no file then.
+    void run_script(Script script);
     void undo() { run("document.undo"); }
     void redo() { run("document.redo"); }
     void go_to(std::size_t step);
@@ -155,11 +162,12 @@ public:
 
 private:
     struct Request {
-        enum class Task { command, again, open, save, copy, count, clear };
+        enum class Task { command, again, open, script, save, copy, count, clear };
         Task task = Task::command;
         std::string command = {};
         std::filesystem::path file = {};
         bool keep_file = false;               // save: only an export
+        Script script = {};
         std::optional<Overrides> target = {}; // the step stays bound to the panel with this
     };
     struct Result {

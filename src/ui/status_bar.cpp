@@ -78,7 +78,7 @@ void StatusBar::arrange()
 
 void StatusBar::update(const std::string& unit)
 {
-    parts_ = status_parts(session_.display(), unit);
+    parts_ = parts ? parts() : status_parts(session_.display(), unit);
     if (!work()) {
         progress_.hide();
         cancel_.hide();

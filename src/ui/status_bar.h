@@ -38,6 +38,8 @@ public:
     /// What the mouse does now; shown where there is no message.
     void set_hint(const std::string& hint);
     void update_progress();
+    /// What to say in place of what the mesh is like.
+    std::function<std::vector<StatusPart>()> parts;
     /// What goes on beside the session; nothing: nothing.
     std::function<std::optional<SideWork>()> side_work;
 

@@ -69,7 +69,7 @@ void View::set_style(const Style& style)
 std::string View::hint() const
 {
     if (box_next_) return "drag a box around what to select; Shift adds, Ctrl removes";
-    if (!armed_ && session_.display().counts.vertices == 0) return "open a file (Ctrl+O) or choose a shape under Make";
+    if (!armed_ && !has_own_tool_ && session_.display().counts.vertices == 0) return "open a file (Ctrl+O) or choose a shape under Make";
     if (clicking_) return tool().pressed_hint();
     return tool().hint();
 }
@@ -78,6 +78,15 @@ void View::set_element(Element element)
 {
     element_ = element;
     select_ = std::make_unique<SelectTool>(element_, session_, camera_);
+    hovered_.reset();
+    redraw();
+}
+
+void View::use_tool(std::unique_ptr<Tool> tool)
+{
+    cancel();
+    select_ = std::move(tool);
+    has_own_tool_ = true;
     hovered_.reset();
     redraw();
 }
@@ -101,10 +110,11 @@ void View::start_box_select()
 Overlay View::overlay() const
 {
     Overlay overlay;
-    const Selection& selection = *session_.display().selection;
-    overlay.edges = selection.edges;
-    overlay.vertices = selection.vertices;
-    overlay.failed = session_.failed_faces();
+    if (const bool is_mesh = !(stand_in && stand_in()); is_mesh) {
+        overlay.edges = session_.display().selection->edges;
+        overlay.vertices = session_.display().selection->vertices;
+        overlay.failed = session_.failed_faces();
+    }
     if (pressed_) outline(overlay, *pressed_, overlay.pressed);
     else if (hovered_) outline(overlay, *hovered_, overlay.hovered);
     if (gesture_) gesture_->add_to(overlay);
@@ -368,7 +378,7 @@ bool View::cancel()
 void View::session_changed()
 {
     if (!session_.is_working()) settling_ = {};
-    if (clicking_ && pressed_shape_ != session_.display().lists.shape_version()) cancel(); // its faces may be others now
+    if (clicking_ && !has_own_tool_ && pressed_shape_ != session_.display().lists.shape_version()) cancel(); // its faces may be others now
     if (session_.chosen() != armed_operator_) {
         cancel();
         armed_operator_ = session_.chosen();

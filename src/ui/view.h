@@ -32,8 +32,16 @@ public:
     void resize(int width, int height);
     void set_style(const Style& style);
     const Style& style() const { return style_; }
-    /// What is drawn: the mesh, or the smooth surface in its place. Clicks act on the mesh in either case.
-    const DrawLists& shown() const { return smooth_.lists() ? *smooth_.lists() : session_.display().lists; }
+    /// What is drawn: the mesh, or the smooth surface in its place. Clicks act on the mesh in either case. Or what `stand_in` has, if that is set.
+    const DrawLists& shown() const
+    {
+        if (const DrawLists* lists = stand_in ? stand_in() : nullptr) return *lists;
+        return smooth_.lists() ? *smooth_.lists() : session_.display().lists;
+    }
+    /// Something of the document that is no mesh, drawn in place of it; null: the mesh after all.
+    std::function<const DrawLists*()> stand_in;
+    /// Clicks are this tool's, in place of the selection.
+    void use_tool(std::unique_ptr<Tool> tool);
     /// What is drawn over it now.
     Overlay overlay() const;
     SmoothPreview& smooth() { return smooth_; }
@@ -110,7 +118,8 @@ private:
     Element element_ = Element::face;
     ToolSettings settings_;
 
-    std::unique_ptr<Tool> select_, armed_, carried_;
+    std::unique_ptr<Tool> select_, armed_, carried_; // select_: or what use_tool() gave
+    bool has_own_tool_ = false;
     const Operator* armed_operator_ = nullptr;
     std::unique_ptr<Gesture> gesture_;
     Pointer pressed_at_;

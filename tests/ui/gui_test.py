@@ -34,6 +34,10 @@ APPLY = (111, 753)
 SWATCH_X = 1028 + 16
 GROUP_ROWS_TOP = 28 + 28 + 242 + 28
 PAINT_BUTTON = (1060, 551)
+# In the tile editor, of the same size.
+TILE_TYPE = (50, 47)
+TILE_OFFSET = (185, 47)
+TILE_FIELD = (1150, 368)
 # Faces of a torus with 24 by 12 of them.
 HOLES = ((690, 485), (560, 475), (866, 436))
 STRIP = ((622, 565), (694, 565), (762, 555))
@@ -131,8 +135,8 @@ class Window:
         """A picture of the whole screen: dialogs are windows of their own."""
         time.sleep(0.3)
         file = self.pictures / (name + ".png")
-        dump = subprocess.run(["timeout", "10", "xwd", "-silent", "-root"], check=True, capture_output=True).stdout
-        subprocess.run(["convert", "xwd:-", str(file)], input=dump, check=True, timeout=60)
+        # xwd leaves the view of a second window black.
+        subprocess.run(["timeout", "10", "import", "-window", "root", str(file)], check=True, timeout=60)
         return file
 
     def choose(self, name, words=None):
@@ -613,6 +617,101 @@ def sculptures(druse, folder, pictures):
     check(facts["genus"] == 5 * 28 + 1 and facts["watertight"] and facts["graph"]["cycle_rank"] == 141, f"the struts of a torus: {facts}")
 
 
+def tiles(druse, folder, pictures):
+    """A tile from type to solid in its editor, all by the mouse; the exported file is that of `druse apply` with the history; undone to the start."""
+    main = Window(druse, folder, pictures, [])
+    main.click(BESIDE_THE_MESH)
+    main.keys("F6")
+    main.wait("tile: frame")
+    editor = run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "Tile editor$").split()[0]
+    main_id, main.id = main.id, editor
+
+    def place(x, y):
+        """Where a place of a tile with corners (10,10) (0,0) (20,0) is seen: framed with 0.45 of its size around it."""
+        left, top, width, height = 0, 66, (1280 - 256 - 2) // 2, 800 - 66 - 28
+        scale = min(width / (20 * 1.9), height / (10 * 1.9))
+        return (round(left + width / 2 + (x - 10) * scale), round(top + height / 2 - (y - 5) * scale))
+
+    def drag(start, end, steps=8):
+        main.press(start)
+        for i in range(1, steps + 1):
+            main.move((start[0] + (end[0] - start[0]) * i // steps, start[1] + (end[1] - start[1]) * i // steps))
+            time.sleep(0.05)
+        main.release()
+
+    main.click(TILE_TYPE)
+    run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "^Tile type$")
+    time.sleep(1)
+    main.keys(*["Down"] * 7, *["Right"] * 7)  # from IH01, 9 in a row
+    main.picture("1-types")
+    main.keys("Return")
+    main.wait("tile: applied tile.new")
+    main.wait("tile: frame")
+
+    main.click(place(5, 5))  # the middle of a leg
+    main.wait("tile: applied tile.edge_add")
+    drag(place(5, 5), place(6, 3))
+    main.wait("tile: adjusted tile.edge_move")
+    main.click(place(11, 4))
+    main.wait("tile: applied tile.point_add")
+    main.picture("2-plane")
+    main.click(TILE_FIELD)
+    main.keys("ctrl+a")
+    main.type("5")
+    main.keys("Return")
+    main.wait("tile: applied tile.extrude")
+    main.click(place(11, 4))
+    seen = main.wait("tile: selected i0 seen at ").split()[-1]
+    x, y = (int(number) for number in seen.split(","))
+    drag((x, y), (x, y - 40))
+    main.wait("tile: adjusted tile.height")
+    main.picture("3-relief")
+    main.click(TILE_OFFSET)
+    drag(place(10, 4), place(20.2, 13.9), 12)
+    main.wait("tile: applied tile.stack")
+    time.sleep(0.5)
+    main.picture("4-stack")
+    main.keys("ctrl+e")
+    run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "^Export tile$")
+    time.sleep(0.5)
+    main.picture("5-export")
+    main.keys("Return")
+    main.wait("tile: applied tile.solid")
+    main.wait("took exported tile")
+
+    main.id = main_id
+    main.wait("frame")
+    main.click(BESIDE_THE_MESH)
+    main.picture("6-main")
+    main.keys("ctrl+e")
+    main.answer_file_dialog("Export", folder / "window.stl", "untitled.stl")
+    main.wait("exported")
+    main.keys("ctrl+shift+s")
+    main.answer_file_dialog("Save as", folder / "history.druse", "untitled.obj")
+    main.wait("saved")
+    main.keys("F6")
+    time.sleep(0.5)
+    main.id = editor
+    main.click(place(24, 12))  # beside the tile: nothing is there to act on but the plane
+    steps = (folder / "history.druse").read_text().splitlines()
+    for _ in steps:
+        main.keys("ctrl+z")
+        main.wait("tile: applied document.undo")
+    main.keys("ctrl+z")
+    main.wait("tile: error document.undo")
+    main.picture("7-undone")
+    main.close()
+
+    names = [line.split()[0] for line in steps]
+    check(names == ["tile." + name for name in ("new", "edge_add", "edge_move", "point_add", "extrude", "height", "stack", "solid")],
+          f"a step for each gesture: {steps}")
+    check(steps[0] == "tile.new type=IH79 size=20" and steps[6] == "tile.stack mode=shift offset=10,10", f"the type, and the offset of a whole leg: {steps}")
+    facts = json.loads(run(druse, "info", folder / "history.druse", "--json"))
+    check(facts["watertight"] and facts["genus"] == 0 and abs(facts["volume"] - 500) < 1e-6, f"an area of 100, 5 thick: {facts['volume']}")
+    run(druse, "apply", "-s", folder / "history.druse", "-o", folder / "terminal.stl")
+    check((folder / "window.stl").read_bytes() == (folder / "terminal.stl").read_bytes(), "the exported file is not the one that `druse apply` makes")
+
+
 def replay(druse, folder, pictures):
     """A recording plays back to the same history."""
     window = Window(druse, folder, pictures, ["--record", folder / "recording.txt", folder / "colored_cube.obj"])
@@ -669,7 +768,7 @@ def main():
     scenario, druse, models, pictures = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4]) / sys.argv[1]
     shutil.rmtree(pictures, ignore_errors=True)
     pictures.mkdir(parents=True)
-    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, rinds, sculptures, replay, sizes)}
+    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, rinds, sculptures, tiles, replay, sizes)}
     with tempfile.TemporaryDirectory() as folder:
         try:
             folder = pathlib.Path(folder).resolve()

@@ -1,0 +1,177 @@
+#include "ui/tile_dialogs.h"
+
+#include "ui/dialogs.h"
+#include "ui/layout.h"
+#include "ui/slider.h"
+#include "ui/theme.h"
+
+#include "render/png.h"
+
+#include <FL/Fl.H>
+#include <FL/Fl_Box.H>
+#include <FL/Fl_Button.H>
+#include <FL/Fl_Choice.H>
+#include <FL/Fl_Double_Window.H>
+#include <FL/Fl_Input.H>
+#include <FL/Fl_Native_File_Chooser.H>
+#include <FL/Fl_Return_Button.H>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace druse::ui {
+
+namespace {
+
+/// A small window that waits until it is answered.
+class Question : public Fl_Double_Window {
+public:
+    Question(int w, int rows, const char* title) : Fl_Double_Window(w, rows * row() + 2 * layout().margin(), title)
+    {
+        color(theme().window);
+        set_modal();
+    }
+    static int row() { return layout().button_height() + layout().gap(); }
+    static int top(int line) { return layout().margin() + line * row(); }
+
+    /// Waits. @return whether it was answered with the first button
+    bool ask(Fl_Button& yes, Fl_Button& no)
+    {
+        yes.color(theme().accent);
+        yes.labelcolor(theme().on_accent);
+        no.color(theme().raised);
+        yes.callback([](Fl_Widget* button, void* answer) {
+            *static_cast<bool*>(answer) = true;
+            button->window()->hide();
+        }, &answer_);
+        no.callback([](Fl_Widget* button, void*) { button->window()->hide(); });
+        if (const Fl_Window* main = Fl::first_window())
+            position(std::max(0, main->x_root() + (main->w() - w()) / 2), std::max(0, main->y_root() + (main->h() - h()) / 3));
+        show();
+        yes.take_focus();
+        while (shown()) Fl::wait();
+        Fl::flush();
+        return answer_;
+    }
+
+private:
+    bool answer_ = false;
+};
+
+Fl_Box* add_label(int line, int width, const char* text)
+{
+    auto* label = new Fl_Box(layout().margin(), Question::top(line), width, layout().button_height(), text); // its window deletes it
+    label->align(FL_ALIGN_LEFT | FL_ALIGN_INSIDE | FL_ALIGN_CLIP);
+    label->labelsize(layout().font());
+    return label;
+}
+
+std::optional<Image> ask_for_image()
+{
+    Fl_Native_File_Chooser chooser(Fl_Native_File_Chooser::BROWSE_FILE);
+    chooser.title("Tracing image");
+    chooser.filter("PNG picture\t*.png");
+    if (chooser.show() != 0) return {};
+    try {
+        return read_png(chooser.filename());
+    } catch (const std::exception& e) {
+        show_failure(e.what());
+        return {};
+    }
+}
+
+} // namespace
+
+bool ask_for_traced_image(std::optional<TracedImage>& traced, const ShownTile& shape, const std::function<void()>& on_change)
+{
+    const std::optional<TracedImage> before = traced;
+    if (!traced) {
+        const auto image = ask_for_image();
+        if (!image) return false;
+        const Point2 low = shape.low(), high = shape.high();
+        traced.emplace();
+        traced->image = *image;
+        traced->width = std::max(high.x - low.x, 1e-6);
+        traced->centre = 0.5 * (low + high);
+        on_change();
+    }
+    const Layout& l = layout();
+    const int label = l.px(80), width = l.px(360);
+    Fl_Group::current(nullptr);
+    Question window(width, 5, "Tracing image");
+    add_label(0, label, "opacity");
+    add_label(1, label, "width");
+    add_label(2, label, "turn");
+    const auto slider_at = [&](int line) { return std::make_unique<Slider>(l.margin() + label, Question::top(line), width - 2 * l.margin() - label, l.button_height()); };
+    const auto opacity = slider_at(0), scale = slider_at(1), turn = slider_at(2);
+    Fl_Button other(l.margin(), Question::top(3), l.px(100), l.button_height(), "File…"), none(other.x() + other.w() + l.gap(), other.y(), l.px(100), other.h(), "No image");
+    const int buttons = l.px(90);
+    Fl_Return_Button ok(width - l.margin() - buttons, Question::top(4), buttons, l.button_height(), "OK");
+    Fl_Button cancel(ok.x() - l.gap() - buttons, ok.y(), buttons, ok.h(), "Cancel");
+    window.end();
+    const double size = std::max(1e-6, std::max(shape.high().x - shape.low().x, shape.high().y - shape.low().y));
+    opacity->set_range(0, 1, 0.05);
+    scale->set_range(0.2 * size, 5 * size, 0.05 * size);
+    turn->set_range(-180, 180, 5);
+    opacity->value(traced->opacity);
+    scale->value(traced->width);
+    turn->value(traced->turn);
+    opacity->on_slide = [&](double value) { traced->opacity = value, on_change(); };
+    scale->on_slide = [&](double value) { traced->width = value, on_change(); };
+    turn->on_slide = [&](double value) { traced->turn = value, on_change(); };
+    for (Fl_Button* button : {&other, &none}) button->color(theme().raised);
+    std::function<void()> change = [&] {
+        if (auto image = ask_for_image()) traced->image = std::move(*image), on_change();
+    };
+    other.callback([](Fl_Widget*, void* run) { (*static_cast<std::function<void()>*>(run))(); }, &change);
+    bool removed = false;
+    none.callback([](Fl_Widget* button, void* flag) {
+        *static_cast<bool*>(flag) = true;
+        button->window()->hide();
+    }, &removed);
+    const bool accepted = window.ask(ok, cancel);
+    if (removed) traced.reset();
+    else if (!accepted) traced = before;
+    return accepted || removed;
+}
+
+std::optional<std::string> ask_how_to_export(const std::vector<StatusPart>& facts)
+{
+    const Layout& l = layout();
+    const int label = l.px(150), width = l.px(440), field = l.px(150), lines = int(facts.size());
+    Fl_Group::current(nullptr);
+    Question window(width, 4 + lines, "Export tile");
+    for (int i = 0; i < lines; ++i) {
+        Fl_Box* fact = add_label(i, width - 2 * l.margin(), "");
+        fact->copy_label(facts[std::size_t(i)].text.c_str());
+        fact->labelcolor(facts[std::size_t(i)].warns ? theme().amber : theme().faint_text);
+    }
+    add_label(lines, label, "bottom");
+    add_label(lines + 1, label, "clearance");
+    add_label(lines + 2, label, "warn if thinner than");
+    Fl_Choice bottom(l.margin() + label, Question::top(lines), field, l.button_height());
+    Fl_Input clearance(bottom.x(), Question::top(lines + 1), field, l.button_height()), least(bottom.x(), Question::top(lines + 2), field, l.button_height());
+    const int buttons = l.px(170);
+    Fl_Return_Button ok(width - l.margin() - buttons, Question::top(lines + 3), buttons, l.button_height(), "To the main window");
+    Fl_Button cancel(ok.x() - l.gap() - l.px(90), ok.y(), l.px(90), ok.h(), "Cancel");
+    window.end();
+    for (const char* word : {"carved", "column", "flat"}) bottom.add(word);
+    bottom.value(0);
+    bottom.color(theme().raised);
+    bottom.tooltip("carved: fits the layer below; column: the relief of its own top; flat: fits nothing");
+    clearance.value("0");
+    clearance.tooltip("How far joints open, in model units: 0.2 to 0.4 for prints of molten plastic");
+    least.value("0.4");
+    if (!window.ask(ok, cancel)) return {};
+    // What is as by default is left out, as in every command that the window makes.
+    std::string command = "tile.solid";
+    if (bottom.value() > 0) command += fmt::format(" bottom={}", bottom.text());
+    const std::string gap = clearance.value(), wall = least.value();
+    if (!gap.empty() && gap != "0") command += " clearance=" + gap;
+    if (!wall.empty() && wall != "0.4") command += " min_thickness=" + wall;
+    return command;
+}
+
+} // namespace druse::ui

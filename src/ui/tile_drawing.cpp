@@ -1,0 +1,310 @@
+#include "ui/tile_drawing.h"
+
+#include "render/flat_painter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace druse::ui {
+
+namespace {
+
+struct PlaneColours {
+    Colour background, grid, axis;
+    std::array<Colour, 3> neighbours; // by their colour in the tiling
+    Colour neighbour_line, tile, line, triangle, segment;
+    Colour handle, handle_line, interior, selected, together, centre, arrow, error, ghost;
+};
+
+constexpr PlaneColours dark_plane{.background = {0x20, 0x22, 0x26},
+                                  .grid = {0x2b, 0x2e, 0x33},
+                                  .axis = {0x3c, 0x40, 0x47},
+                                  .neighbours = {{{0x3f, 0x43, 0x4a}, {0x4a, 0x4f, 0x57}, {0x35, 0x39, 0x3f}}},
+                                  .neighbour_line = {0x6c, 0x72, 0x7c},
+                                  .tile = {0xd9, 0x8e, 0x4a},
+                                  .line = {0xf4, 0xee, 0xe6},
+                                  .triangle = {0x6e, 0x42, 0x1a},
+                                  .segment = {0x2a, 0x17, 0x06},
+                                  .handle = {0xff, 0xff, 0xff},
+                                  .handle_line = {0x1c, 0x1d, 0x20},
+                                  .interior = {0x2a, 0x17, 0x06},
+                                  .selected = {0x2b, 0x73, 0xff},
+                                  .together = {0x7d, 0xe0, 0xff},
+                                  .centre = {0xff, 0xe0, 0x66},
+                                  .arrow = {0x8f, 0xc7, 0xff},
+                                  .error = {0xff, 0x3b, 0x41},
+                                  .ghost = {0x5c, 0xc8, 0xff}};
+
+constexpr PlaneColours light_plane{.background = {0xf4, 0xf5, 0xf7},
+                                   .grid = {0xe4, 0xe7, 0xea},
+                                   .axis = {0xc9, 0xce, 0xd4},
+                                   .neighbours = {{{0xd6, 0xda, 0xdf}, {0xe3, 0xe6, 0xea}, {0xc8, 0xcd, 0xd4}}},
+                                   .neighbour_line = {0x8d, 0x94, 0x9d},
+                                   .tile = {0xe2, 0xa2, 0x67},
+                                   .line = {0x2a, 0x24, 0x20},
+                                   .triangle = {0x9c, 0x68, 0x38},
+                                   .segment = {0x2a, 0x17, 0x06},
+                                   .handle = {0xff, 0xff, 0xff},
+                                   .handle_line = {0x1c, 0x1d, 0x20},
+                                   .interior = {0x2a, 0x17, 0x06},
+                                   .selected = {0x2b, 0x73, 0xff},
+                                   .together = {0x00, 0x8a, 0xb8},
+                                   .centre = {0xb8, 0x86, 0x00},
+                                   .arrow = {0x1f, 0x62, 0xa8},
+                                   .error = {0xd0, 0x1f, 0x26},
+                                   .ghost = {0x00, 0x7a, 0xb8}};
+
+/// What one picture is drawn with.
+class PlanePicture {
+public:
+    PlanePicture(const TileView& view, bool dark, double scale, Image& image)
+        : view_(view), tile_(view.tile()), plane_(view.plane()), colours_(dark ? dark_plane : light_plane), scale_(scale), painter_(image)
+    {
+    }
+
+    void draw()
+    {
+        painter_.clear(colours_.background);
+        if (view_.shown().grid) draw_grid();
+        if (view_.traced()) draw_traced(*view_.traced());
+        if (!tile_.type) return;
+        outline_ = tile_.outline_points();
+        if (view_.shown().neighbours)
+            for (std::size_t c = tile_.copies.size(); c-- > 1;) draw_copy(c);
+        draw_tile();
+        if (view_.shown().arrows) draw_arrows();
+        if (view_.shown().neighbours && has_room_for_handles())
+            for (std::size_t c = 1; c < tile_.copies.size(); ++c) draw_small_handles(tile_.copies[c].map);
+        if (view_.shown().centres)
+            for (const RotationCentre& c : tile_.centres) draw_centre(c);
+        draw_handles();
+        if (view_.hovered()) draw_hovered(*view_.hovered());
+        if (view_.offset()) draw_ghost(*view_.offset());
+        if (view_.refused()) draw_refused();
+        if (const auto line = view_.rubber()) painter_.line(at(line->first), at(line->second), 2 * scale_, colours_.ghost);
+    }
+
+private:
+    Point2 at(const Point2& p) const { return plane_.picture(p); }
+
+    std::vector<Point2> placed(const Isometry& map) const
+    {
+        std::vector<Point2> points(outline_.size());
+        for (std::size_t i = 0; i < points.size(); ++i) points[i] = at(map(outline_[i]));
+        return points;
+    }
+
+    void draw_grid()
+    {
+        const double step = view_.grid();
+        const Point2 low = plane_.plane(Point2(0, plane_.height)), high = plane_.plane(Point2(plane_.width, 0));
+        for (const int axis : {0, 1})
+            for (double k = std::ceil(low[axis] / step); k * step <= high[axis]; ++k) {
+                Point2 a = low, b = high;
+                a[axis] = b[axis] = k * step;
+                painter_.line(at(a), at(b), 1, k == 0 ? colours_.axis : colours_.grid);
+            }
+    }
+
+    void draw_traced(const TracedImage& traced)
+    {
+        if (traced.image.width < 1 || !(traced.width > 0)) return;
+        // Of the plane to the picture's pixels: turned back about its centre, then from its upper left corner.
+        const double per_unit = traced.image.width / traced.width, angle = -traced.turn * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+        const auto pixel = [&](const Point2& p) {
+            const Point2 q = p - traced.centre;
+            const Point2 back(c * q.x - s * q.y, s * q.x + c * q.y);
+            return Point2(0.5 * traced.image.width + back.x * per_unit, 0.5 * traced.image.height - back.y * per_unit);
+        };
+        const Point2 origin = pixel(plane_.plane({0, 0}));
+        painter_.picture(traced.image, origin, pixel(plane_.plane({1, 0})) - origin, pixel(plane_.plane({0, 1})) - origin, traced.opacity);
+    }
+
+    /// Without points that are hardly apart: what is left of copies looks the same, and is drawn sooner.
+    static std::vector<Point2> thinned(const std::vector<Point2>& points)
+    {
+        constexpr double apart = 3; // pixels
+        std::vector<Point2> kept;
+        for (const Point2& p : points)
+            if (kept.empty() || glm::distance(kept.back(), p) >= apart) kept.push_back(p);
+        return kept;
+    }
+
+    bool is_seen(const std::vector<Point2>& points) const
+    {
+        Point2 low = points[0], high = low;
+        for (const Point2& p : points) low = glm::min(low, p), high = glm::max(high, p);
+        return high.x >= 0 && high.y >= 0 && low.x <= plane_.width && low.y <= plane_.height;
+    }
+
+    double fill_opacity() const { return view_.traced() ? 0.45 : 1; }
+
+    void draw_copy(std::size_t c)
+    {
+        const std::vector<Point2> points = thinned(placed(tile_.copies[c].map));
+        if (!is_seen(points)) return;
+        painter_.fill(points, colours_.neighbours[std::size_t(tile_.copies[c].colour) % 3], fill_opacity());
+        painter_.lines(points, true, scale_, colours_.neighbour_line);
+    }
+
+    void draw_tile()
+    {
+        const std::vector<Point2> points = placed({});
+        painter_.fill(points, colours_.tile, fill_opacity());
+        if (view_.shown().triangles)
+            for (const auto& t : tile_.triangles)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const int a = t[k], b = t[(k + 1) % 3];
+                    const bool on_outline = a < tile_.outline && b == (a + 1) % tile_.outline;
+                    // Each inner edge has two triangles: drawn once.
+                    if (a < b && !on_outline && !(b < tile_.outline && a == (b + 1) % tile_.outline))
+                        painter_.line(at(tile_.points[std::size_t(a)].at), at(tile_.points[std::size_t(b)].at), scale_, colours_.triangle, 0.65);
+                }
+        for (const auto& s : tile_.segments)
+            painter_.line(at(tile_.points[std::size_t(s[0])].at), at(tile_.points[std::size_t(s[1])].at), 2.2 * scale_, colours_.segment);
+        painter_.lines(points, true, 2.2 * scale_, colours_.line);
+    }
+
+    /// Handles of copies help only where they do not run together.
+    bool has_room_for_handles() const
+    {
+        double around = 0;
+        for (std::size_t i = 0; i < outline_.size(); ++i) around += glm::distance(outline_[i], outline_[(i + 1) % outline_.size()]);
+        return around * plane_.pixels > 10 * scale_ * double(outline_.size());
+    }
+
+    void draw_small_handles(const Isometry& map)
+    {
+        for (const Point2& p : outline_) painter_.disc(at(map(p)), 2.2 * scale_, colours_.neighbour_line);
+    }
+
+    std::vector<Point2> polygon(const Point2& centre, int sides, double radius, double turn) const
+    {
+        std::vector<Point2> points;
+        for (int i = 0; i < sides; ++i) {
+            const double a = turn + 2 * std::numbers::pi * i / sides;
+            points.push_back(centre + radius * Point2(std::cos(a), std::sin(a)));
+        }
+        return points;
+    }
+
+    /// ▲ ■ ⬣, and a rhomb where half turns are all.
+    void draw_centre(const RotationCentre& centre)
+    {
+        const Point2 c = at(centre.at);
+        const double r = 8 * scale_, up = -std::numbers::pi / 2;
+        std::vector<Point2> mark;
+        switch (centre.order) {
+        case 2: mark = {c + Point2(0, -r), c + Point2(0.5 * r, 0), c + Point2(0, r), c + Point2(-0.5 * r, 0)}; break;
+        case 3: mark = polygon(c, 3, r, up); break;
+        case 4: mark = polygon(c, 4, r, up / 2); break;
+        default: mark = polygon(c, 6, r, 0); break;
+        }
+        painter_.lines(mark, true, 4 * scale_, colours_.handle_line);
+        painter_.lines(mark, true, 2 * scale_, colours_.centre);
+    }
+
+    void draw_arrow(const Point2& from, const Point2& to)
+    {
+        const double length = glm::distance(from, to), head = 9 * scale_;
+        if (length < 2 * head) return;
+        const Point2 along = (to - from) / length, across(-along.y, along.x);
+        for (const auto& [width, colour] : {std::pair(4.0, colours_.handle_line), std::pair(1.8, colours_.arrow)}) {
+            painter_.line(from, to, width * scale_, colour);
+            painter_.line(to, to - head * along + 0.5 * head * across, width * scale_, colour);
+            painter_.line(to, to - head * along - 0.5 * head * across, width * scale_, colour);
+        }
+    }
+
+    /// From the middle of the tile to those of the tiles beyond its edges.
+    void draw_arrows()
+    {
+        Point2 middle(0.0);
+        for (const Point2& p : outline_) middle += p / double(outline_.size());
+        for (const TileNeighbour& beyond : tile_.type->neighbours[0])
+            for (const DrawnCopy& copy : tile_.copies)
+                if (copy.aspect == beyond.aspect && copy.shift == beyond.shift) {
+                    const Point2 from = at(middle), to = at(copy.map(middle));
+                    draw_arrow(from + 0.12 * (to - from), to - 0.12 * (to - from));
+                }
+    }
+
+    bool is_selected(const TilePoint& p) const { return view_.selected().contains(p.name); }
+
+    void draw_handles()
+    {
+        std::vector<char> orbit_selected(tile_.points.size() + 1, 0);
+        for (const TilePoint& p : tile_.points)
+            if (p.orbit >= 0 && is_selected(p)) orbit_selected[std::size_t(p.orbit)] = 1;
+        const bool room = has_room_for_handles();
+        for (const TilePoint& p : tile_.points) {
+            const bool here = is_selected(p), together = !here && p.orbit >= 0 && orbit_selected[std::size_t(p.orbit)] != 0;
+            if (!room && !here && !together && p.kind != TilePoint::Kind::corner) continue;
+            const Point2 c = at(p.at);
+            const double r = (p.kind == TilePoint::Kind::corner ? 5 : p.kind == TilePoint::Kind::middle ? 3 : 4) * scale_;
+            const bool hollow = p.kind == TilePoint::Kind::interior;
+            if (here || together) painter_.disc(c, r + 3.5 * scale_, here ? colours_.selected : colours_.together);
+            painter_.disc(c, r + 1.2 * scale_, colours_.handle_line);
+            painter_.disc(c, r, hollow ? colours_.interior : colours_.handle);
+            if (hollow) painter_.ring(c, r - 0.5 * scale_, 1.4 * scale_, colours_.handle);
+            if (p.kind == TilePoint::Kind::corner) painter_.disc(c, r - 2 * scale_, colours_.handle_line);
+        }
+    }
+
+    void draw_hovered(const TileHit& hit)
+    {
+        const Isometry& map = hit.copy < tile_.copies.size() ? tile_.copies[hit.copy].map : tile_.copies[0].map;
+        if (hit.point >= 0) {
+            painter_.ring(at(map(tile_.points[std::size_t(hit.point)].at)), 8 * scale_, 2 * scale_, colours_.selected);
+        } else if (hit.edge >= 0) {
+            const Point2 a = at(map(tile_.points[std::size_t(hit.edge)].at)), b = at(map(tile_.points[std::size_t((hit.edge + 1) % tile_.outline)].at));
+            painter_.line(a, b, 3.5 * scale_, colours_.selected);
+        }
+    }
+
+    void draw_ghost(const TileOffset& where)
+    {
+        const Point2& offset = where.at;
+        const Colour colour = where.is_allowed ? colours_.ghost : colours_.error;
+        std::vector<Point2> points = outline_;
+        for (Point2& p : points) p = at(p + offset);
+        painter_.fill(points, colour, 0.28);
+        painter_.lines(points, true, 2.5 * scale_, colour);
+        for (std::size_t i = std::size_t(tile_.outline); i < tile_.points.size(); ++i) painter_.disc(at(tile_.points[i].at + offset), 3 * scale_, colour);
+        draw_arrow(at(outline_[0]), at(outline_[0] + offset));
+    }
+
+    /// The edges that the point would have where it may not go.
+    void draw_refused()
+    {
+        const auto& [copy, point, wanted] = *view_.refused();
+        if (copy >= tile_.copies.size() || std::size_t(point) >= tile_.points.size()) return;
+        const Isometry& map = tile_.copies[copy].map;
+        const Point2 to = at(map(wanted));
+        const auto red_line = [&](int other) { painter_.line(to, at(map(tile_.points[std::size_t(other)].at)), 2.5 * scale_, colours_.error); };
+        if (point < tile_.outline) {
+            red_line((point + 1) % tile_.outline);
+            red_line((point + tile_.outline - 1) % tile_.outline);
+        } else {
+            for (const auto& s : tile_.segments)
+                if (s[0] == point || s[1] == point) red_line(s[0] == point ? s[1] : s[0]);
+        }
+        painter_.ring(to, 7 * scale_, 2.5 * scale_, colours_.error);
+    }
+
+    const TileView& view_;
+    const ShownTile& tile_;
+    const PlaneView& plane_;
+    const PlaneColours& colours_;
+    double scale_;
+    FlatPainter painter_;
+    std::vector<Point2> outline_; // in the tile's frame
+};
+
+} // namespace
+
+void draw_tile_plane(const TileView& view, bool dark, double scale, Image& image) { PlanePicture(view, dark, scale, image).draw(); }
+
+} // namespace druse::ui

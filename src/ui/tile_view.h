@@ -1,0 +1,152 @@
+#pragma once
+
+#include "ui/live_step.h"
+#include "ui/plane_view.h"
+#include "ui/pointer.h"
+#include "ui/session.h"
+#include "ui/tile_offset.h"
+#include "ui/shown_tile.h"
+
+#include "render/image.h"
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace druse::ui {
+
+/// What lies under the pointer: a point, or an edge of the outline, or the inside of a copy of the tile.
+struct TileHit {
+    std::size_t copy = 0; // of those that are drawn
+    int point = -1;       // of the tile; −1: none
+    int edge = -1;        // of the outline, from this point to the next; −1: none
+    bool inside = false;
+    Point2 at{0.0};       // the pointer's place, pulled back to the tile
+
+    friend bool operator==(const TileHit&, const TileHit&) = default;
+};
+
+/// A point that is dragged, where it was asked to go and could not.
+struct RefusedPlace {
+    std::size_t copy = 0;
+    int point = 0;
+    Point2 at{0.0}; // pulled back to the tile
+};
+
+/// A picture to draw a tile after.
+struct TracedImage {
+    Image image;
+    double opacity = 0.5;
+    double width = 1; // in units
+    double turn = 0;  // degrees
+    Point2 centre{0.0};
+};
+
+/// The plane of a tile without its window: what is drawn of it, and what the mouse does. Each gesture is a command to the session, and one step.
+class TileView {
+public:
+    enum class Tool { edit, offset };
+    struct Shown {
+        bool neighbours = true, triangles = true, centres = true, arrows = false, grid = true;
+        bool snap = false; // new places are those of the grid
+    };
+
+    explicit TileView(Session& session) : session_(session) {}
+
+    std::function<void()> on_redraw;
+    std::function<void()> on_select;
+
+    // --- what is shown ------------------------------------------------------------------------------------------------------------
+
+    const ShownTile& tile() const { return tile_; }
+    /// The session changed.
+    void session_changed();
+    void resize(int width, int height);
+    const PlaneView& plane() const { return plane_; }
+    void frame();
+    void zoom(double factor);
+    const Shown& shown() const { return shown_; }
+    void set_shown(const Shown& shown);
+    std::optional<TracedImage>& traced() { return traced_; }
+    const std::optional<TracedImage>& traced() const { return traced_; }
+    double grid() const; // units from line to line
+
+    const std::optional<TileHit>& hovered() const { return hovered_; }
+    const std::optional<Point2>& pointer() const { return pointer_; }
+    const std::optional<RefusedPlace>& refused() const { return refused_; }
+    /// Both ends of the line that would become a constraint.
+    std::optional<std::pair<Point2, Point2>> rubber() const;
+    /// Where the layer above would lie, while that is dragged.
+    const std::optional<TileOffset>& offset() const { return offset_; }
+    std::string hint() const;
+
+    // --- selection ----------------------------------------------------------------------------------------------------------------
+
+    const std::set<std::string>& selected() const { return selected_; }
+    void select(std::set<std::string> names);
+    /// Their names as a command takes them; empty if none is.
+    std::string selected_text() const;
+
+    // --- the mouse ----------------------------------------------------------------------------------------------------------------
+
+    Tool tool() const { return tool_; }
+    void set_tool(Tool tool);
+    /// Something is dragged, and the tile changes all the while.
+    bool is_dragging() const { return gesture_ == Gesture::move || gesture_ == Gesture::offset; }
+    void press(const Pointer& pointer);
+    void drag(const Pointer& pointer);
+    void release(const Pointer& pointer);
+    void hover(const Pointer& pointer);
+    void leave();
+    void wheel(double notches, const Pointer& pointer);
+    /// A drag from point to point makes a constraint from now on, once.
+    void start_constraint();
+    /// Takes away what is selected, or else the point under the pointer.
+    void remove();
+    /// Escape. @return false if there was nothing to take back
+    bool cancel();
+
+private:
+    enum class Gesture { none, click, pan, move, constrain, offset };
+
+    TileHit hit(const Point2& picture) const;
+    int point_near(const Point2& place, std::size_t copy) const;
+    std::string place_text(const Point2& p) const;
+    Point2 tidy(const Point2& p) const;
+    void move_to(const Point2& picture);
+    void drag_corner_to(const Point2& at);
+    void add_point(const TileHit& at);
+    void end_constraint(const Point2& picture);
+    void drag_offset(const Point2& picture);
+    void note(const std::string& text);
+    void redraw();
+
+    Session& session_;
+    PlaneView plane_;
+    ShownTile tile_;
+    std::uint64_t tile_version_ = 0;
+    bool framed_ = false;
+    Shown shown_;
+    std::optional<TracedImage> traced_;
+    std::set<std::string> selected_;
+
+    Tool tool_ = Tool::edit;
+    Gesture gesture_ = Gesture::none;
+    bool constrain_next_ = false;
+    Point2 pressed_{0.0}, last_{0.0}; // in the picture
+    int button_ = 0;
+    TileHit grabbed_;                 // what was pressed
+    TilePoint grabbed_point_;         // as it was then: what comes of a drag may have fewer points
+    Point2 grip_{0.0};                // from the pointer to the point, pulled back
+    std::optional<LiveStep> step_;
+    std::optional<TileHit> hovered_;
+    std::optional<Point2> pointer_;
+    std::optional<TileOffset> offset_;
+    Point2 offset_start_{0.0};
+    std::optional<RefusedPlace> refused_;
+};
+
+} // namespace druse::ui

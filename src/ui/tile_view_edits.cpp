@@ -1,0 +1,112 @@
+// The commands that gestures in the plane of a tile come to.
+#include "ui/tile_view.h"
+
+#include "ui/layout.h"
+
+#include "tile/tile_stack.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace druse::ui {
+
+namespace {
+
+/// The foot of the perpendicular, or the end that is nearer.
+Point2 foot_on_piece(const Point2& p, const Point2& a, const Point2& b)
+{
+    const Point2 along = b - a;
+    const double length2 = glm::dot(along, along);
+    return a + (length2 > 0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0.0) * along;
+}
+
+} // namespace
+
+void TileView::add_point(const TileHit& at)
+{
+    if (at.edge >= tile_.outline) return; // the tile is another by now
+    if (at.edge >= 0) {
+        const Point2 &a = tile_.points[std::size_t(at.edge)].at, &b = tile_.points[std::size_t((at.edge + 1) % tile_.outline)].at;
+        const Point2 foot = foot_on_piece(at.at, a, b);
+        session_.run(fmt::format("tile.edge_add at={},{}", foot.x, foot.y)); // on the edge to the last bit: no bend comes of it
+    } else if (at.inside) {
+        session_.run("tile.point_add at=" + place_text(at.at));
+    } else {
+        select({});
+    }
+}
+
+void TileView::move_to(const Point2& picture)
+{
+    const TilePoint& point = grabbed_point_;
+    const Point2 at = inverse(tile_.copies[grabbed_.copy].map)(plane_.plane(picture)) + grip_;
+    switch (point.kind) {
+    case TilePoint::Kind::corner: drag_corner_to(at); break;
+    case TilePoint::Kind::path: step_->send(fmt::format("tile.edge_move point={} to={}", point.name, place_text(at))); break;
+    case TilePoint::Kind::interior: step_->send(fmt::format("tile.point_move point={} to={}", point.name, place_text(at))); break;
+    case TilePoint::Kind::middle: break;
+    }
+}
+
+/// Corners move as far as the parameters of the type let them; the frame of the tile stays.
+void TileView::drag_corner_to(const Point2& at)
+{
+    const int k = std::atoi(grabbed_point_.name.c_str() + 1); // v2
+    const IsohedralType& type = *tile_.type;
+    if (type.inside.freedom(k) == 0) {
+        if (session_.message().text.empty())
+            note(type.parameters.empty() ? fmt::format("corners of {} are fixed", type.name()) : fmt::format("corner v{} holds the frame of the tile", k));
+        return;
+    }
+    step_->send(fmt::format("tile.corner corner={} to={}", k, place_text(at)));
+}
+
+/// The layer above is taken along with the pointer; where it may lie, the stack is that at once.
+void TileView::drag_offset(const Point2& picture)
+{
+    constexpr double attraction = 10; // pixels
+    const Point2 wanted = offset_start_ + plane_.plane(picture) - plane_.plane(pressed_);
+    offset_ = attract(tile_, wanted, attraction * layout().scale / plane_.pixels);
+    if (!offset_->is_allowed && IsohedralOffsets(tile_.aspects, tile_.lattice, {}).freedom() == 2) offset_ = TileOffset{tidy(wanted), true};
+    if (offset_->is_allowed) step_->send(fmt::format("tile.stack mode=shift offset={},{}", offset_->at.x, offset_->at.y));
+}
+
+void TileView::start_constraint()
+{
+    if (gesture_ != Gesture::none || tool_ != Tool::edit) return;
+    constrain_next_ = true;
+    redraw();
+}
+
+void TileView::end_constraint(const Point2& picture)
+{
+    constrain_next_ = false;
+    const int to = point_near(plane_.plane(picture), grabbed_.copy);
+    if (to < 0 || to == grabbed_.point) return;
+    session_.run(fmt::format("tile.constrain from={} to={}", grabbed_point_.name, tile_.points[std::size_t(to)].name));
+}
+
+void TileView::remove()
+{
+    std::set<std::string> names = selected_;
+    if (names.empty() && hovered_ && hovered_->point >= 0) names.insert(tile_.points[std::size_t(hovered_->point)].name);
+    // From the last to the first: the names of those before stay what they are.
+    for (auto p = tile_.points.rbegin(); p != tile_.points.rend(); ++p)
+        if (!names.contains(p->name)) names.erase(p->name);
+    std::vector<std::string> commands;
+    for (auto p = tile_.points.rbegin(); p != tile_.points.rend(); ++p) {
+        if (!names.contains(p->name)) continue;
+        if (p->kind == TilePoint::Kind::interior) commands.push_back("tile.point_remove point=" + p->name);
+        else if (p->kind == TilePoint::Kind::path) commands.push_back("tile.edge_remove point=" + p->name);
+    }
+    if (commands.empty() && !names.empty()) note("corners and middles of paths stay");
+    select({});
+    for (const std::string& command : commands) {
+        session_.run(command);
+        session_.wait();
+    }
+}
+
+} // namespace druse::ui
