@@ -27,7 +27,7 @@ struct LatticeShape {
 ///
 /// Vertices that have lost all their edges are left out. They are numbered from below, then from least y, then from least x, the first net first;
 /// edges by their lower, then by their higher end.
-/// @throws CommandError if nothing is left, or a ball holds more than 5 million vertices; Cancelled
+/// @throws CommandError if nothing is left, or a ball holds more than 10 million vertices; Cancelled
 /// Source: Wells 1977; Hyde, O'Keeffe & Proserpio 2008.
 Graph lattice(const LatticeShape& shape, Progress& progress);
 
