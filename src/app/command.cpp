@@ -111,6 +111,7 @@ public:
             if (key != "preset") set(key, value);
         check_required();
         check_exclusive();
+        check_replaced();
         check_governed();
         return std::move(call_);
     }
@@ -183,6 +184,17 @@ private:
             if (found.size() != 1)
                 throw CommandError(fmt::format("expected exactly one of {}, found {}", listing(set, "and"),
                                                found.empty() ? "none" : listing(found, "and")));
+        }
+    }
+
+    void check_replaced() const
+    {
+        for (std::size_t i = 0; i < op_.parameters.size(); ++i) {
+            const std::string& other = op_.parameters[i].instead_of;
+            if (!call_.given[i] || other.empty()) continue;
+            const auto replaced = std::ranges::find(op_.parameters, other, &Parameter::name) - op_.parameters.begin();
+            if (call_.given[static_cast<std::size_t>(replaced)])
+                throw CommandError(fmt::format("{} is in place of {}: give one of them", op_.parameters[i].name, other));
         }
     }
 

@@ -70,6 +70,10 @@ Json parameter_json(const Operator& op, const Parameter& p)
         if (std::ranges::find(set, p.name) != set.end())
             for (const std::string& other : set)
                 if (other != p.name) excludes.push_back(other);
+    for (const Parameter& other : op.parameters) {
+        if (other.instead_of == p.name) excludes.push_back(other.name);
+        if (p.instead_of == other.name) excludes.push_back(other.name);
+    }
     j["excludes"] = std::move(excludes);
     if (!p.governor.empty()) j["only_where"] = {{"parameter", p.governor}, {"values", p.governing}};
     j["help"] = p.help;

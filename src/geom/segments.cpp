@@ -22,11 +22,11 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b)
 
 NearestPoints nearest_points(const Point& a, const Point& b, const Point& c, const Point& d)
 {
-    const Vector u = b - a, w = d - c, r = a - c;
-    const double uu = glm::dot(u, u), ww = glm::dot(w, w), uw = glm::dot(u, w), ur = glm::dot(u, r), wr = glm::dot(w, r);
+    const Vector u = b - a, w = d - c;
+    const Vector across = glm::cross(u, w); // 0 for parallels, of which any place of the first will do
+    const double slant = glm::dot(across, across);
     NearestPoints best;
-    const double slant = uu * ww - uw * uw; // 0 for parallels, of which any place of the first will do
-    best.s = slant > 0 ? std::clamp((uw * wr - ur * ww) / slant, 0.0, 1.0) : 0.0;
+    best.s = slant > 0 ? std::clamp(glm::dot(glm::cross(c - a, w), across) / slant, 0.0, 1.0) : 0.0;
     best.t = nearest_place(a + best.s * u, c, w);
     best.s = nearest_place(c + best.t * w, a, u);
     best.distance = glm::distance(a + best.s * u, c + best.t * w);

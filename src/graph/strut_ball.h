@@ -4,6 +4,7 @@
 #include "geom/progress.h"
 #include "graph/strut_placement.h"
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,6 +17,8 @@ public:
     /// For coordinates of points within `reach` of p.
     CoordinateGrid(const Point& p, double reach);
     Point operator()(const Point& p) const { return (p + shift_) - shift_; }
+    /// What coordinates are multiples of.
+    double step() const { return std::ldexp(shift_.x / 1.5, -52); }
 
 private:
     Vector shift_;

@@ -30,6 +30,9 @@ StrutPlacer::StrutPlacer(const CleanGraph& clean, const Incidence& incidence, co
         const Vector along = graph_.vertices[b] - graph_.vertices[a];
         length_[e] = std::hypot(along.x, along.y, along.z); // also where a square is too small for a double
         direction_[e] = druse::direction(along);
+        if (!(length_[e] >= StrutPlacement::least_size))
+            throw CommandError(fmt::format("edge {} is {:.3g} long: struts need {} at least; mesh.transform makes a model larger, weld= joins ends", clean.edge_name(static_cast<std::uint32_t>(e)),
+                                           length_[e], StrutPlacement::least_size));
     }
     for (std::uint32_t v = 0; v < graph_.vertices.size(); ++v) find_nearest(v);
     for (std::size_t end = 0; end < half_angle_.size(); ++end) half_angle_[end] = std::min(0.5 * shape.gap * nearest_[end], radians(shape.spread));

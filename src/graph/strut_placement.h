@@ -14,6 +14,7 @@ namespace druse {
 
 /// Where the polygons of struts stand.
 struct StrutPlacement {
+    static constexpr double least_size = 1e-50; // of an edge or a polygon; squares of smaller areas would not be numbers
     struct End {
         double radius = 0, height = 0; // of the polygon, and its distance from the vertex
     };
@@ -31,7 +32,7 @@ struct StrutPlacement {
 /// Source: Hart 2009, section 2; the bounds on the angle and the taper are ours.
 class StrutPlacer {
 public:
-    /// @throws CommandError for two edges that leave a vertex in nearly the same direction
+    /// @throws CommandError for two edges that leave a vertex in nearly the same direction, and for an edge that is too short
     StrutPlacer(const CleanGraph& clean, const Incidence& incidence, const StrutShape& shape);
 
     /// With the radius times `factor`, and at each vertex times its own where there are any. Cost: O(edges).

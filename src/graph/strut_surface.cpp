@@ -33,6 +33,7 @@ public:
     StrutSurface make();
 
 private:
+    void check_sizes() const;
     void place_rims(std::uint32_t from, std::uint32_t to);
     void make_balls(std::uint32_t from, std::uint32_t to, BallFaces& out);
     void put_balls(const BallFaces& faces, std::uint32_t apexes_before);
@@ -53,6 +54,20 @@ private:
     std::vector<Point> rims_;
     MeshBuilder builder_;
 };
+
+/// So that the corners of polygons stay apart when they are rounded, and those of the rings of a round cap, which are half as large.
+void SurfaceMaker::check_sizes() const
+{
+    constexpr double steps = 8;
+    const double side = 2 * std::sin(pi / n_); // of a polygon, in radii
+    for (std::uint32_t end = 0; end < ends_; ++end) {
+        const std::uint32_t v = graph_.edges[end / 2][end % 2];
+        const double radius = placement_.ends[end].radius;
+        if (radius >= StrutPlacement::least_size && radius * side >= steps * CoordinateGrid(graph_.vertices[v], placement_.reach[v]).step()) continue;
+        throw CommandError(fmt::format("{}: its struts are too thin{}", placer_.vertex_name(v),
+                                       radius >= StrutPlacement::least_size ? " for coordinates of that size" : ""));
+    }
+}
 
 void SurfaceMaker::place_rims(std::uint32_t from, std::uint32_t to)
 {
@@ -131,7 +146,6 @@ void SurfaceMaker::put_cap(std::uint32_t v)
     const Vector out = first ? -placer_.direction(end / 2) : placer_.direction(end / 2); // from the strut to the vertex and on
     const auto before = [this](std::uint32_t k) { return k > 0 ? k - 1 : n_ - 1; };
     const auto after = [this](std::uint32_t k) { return k + 1 < n_ ? k + 1 : 0; };
-    if (rims_[rim] == rims_[rim + 1]) throw CommandError(fmt::format("{}: its strut is too thin for coordinates of that size", placer_.vertex_name(v)));
     const auto put_cone = [&](std::uint32_t ring, std::uint32_t pole) {
         for (std::uint32_t k = 0; k < n_; ++k) {
             if (first) put({ring + k, pole, ring + after(k)}, strut_group::cap);
@@ -174,6 +188,7 @@ StrutSurface SurfaceMaker::make()
     const auto vertices = static_cast<std::uint32_t>(graph_.vertices.size());
     const bool apart = ends_ > worth_a_thread;
     progress_.step(0);
+    check_sizes();
     do_both(apart, [&] { place_rims(0, ends_ / 4); }, [&] { place_rims(ends_ / 4, ends_ / 2); });
     std::uint32_t middle = 0; // about half of the edges' ends lie at vertices before
     for (std::uint32_t sum = 0; middle < vertices && sum < ends_ / 2; ++middle) sum += incidence_.valence(middle);

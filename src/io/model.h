@@ -34,7 +34,10 @@ struct ModelView {
     const LayeredTile* tile = nullptr;
 
     /// The graph beside the mesh, if it is more than what struts in the mesh were made of.
-    const Graph* lines() const { return graph && !graph->edges.empty() && graph->struts.edge_ids.empty() ? graph : nullptr; }
+    const Graph* lines() const { return has_edges() && graph->struts.edge_ids.empty() ? graph : nullptr; }
+    /// True if the graph was given as lines, and struts were made of it.
+    bool has_become_struts() const { return has_edges() && !lines() && graph->normals.empty(); }
+    bool has_edges() const { return graph && !graph->edges.empty(); }
 };
 
 } // namespace druse

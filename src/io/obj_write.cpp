@@ -76,6 +76,7 @@ void write_obj(const ModelView& model, OutputFiles& out)
     if (!library.empty()) sink.put("mtllib " + library + '\n');
     for (const Point& p : mesh.positions()) put_vertex(sink, p);
     for (const Point& p : splits.added()) put_vertex(sink, p);
+    if (model.has_become_struts()) out.note("the graph that became struts is not saved beside them");
     const Graph* lines = model.lines();
     if (lines)
         for (const Point& p : lines->vertices) put_vertex(sink, p);

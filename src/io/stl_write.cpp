@@ -27,7 +27,7 @@ public:
     void write();
 
 private:
-    template <class Put> void for_each_triangle(Put&& put);
+    template <class Put> void for_each_triangle(Put&& put_facet);
     Facet facet(Corner a, Corner b, Corner c) const;
     static Facet facet(const std::array<Point, 3>& corners);
     void put_binary(const Facet& facet);
@@ -37,8 +37,15 @@ private:
     const Mesh& mesh_;
     OutputFiles& out_;
     CoincidentEdges coincident_;
-    std::uint32_t thin_faces_ = 0;
+    std::uint32_t thin_faces_ = 0, flat_facets_ = 0;
 };
+
+/// Whether two corners are at one place; what lies along its sides is then joined without it.
+bool is_flat(const Facet& f)
+{
+    const auto same = [&f](std::size_t a, std::size_t b) { return f[a] == f[b] && f[a + 1] == f[b + 1] && f[a + 2] == f[b + 2]; };
+    return same(3, 6) || same(6, 9) || same(9, 3);
+}
 
 Facet StlWriter::facet(const std::array<Point, 3>& corners)
 {
@@ -103,9 +110,18 @@ void StlWriter::put_ascii(const Facet& facet)
     sink.put("  endloop\n endfacet\n");
 }
 
-template <class Put> void StlWriter::for_each_triangle(Put&& put)
+template <class Put> void StlWriter::for_each_triangle(Put&& put_facet)
 {
     Triangulator triangulator;
+    std::uint64_t facets = 0;
+    const auto put = [&](const Facet& f) {
+        if (is_flat(f)) [[unlikely]] {
+            ++flat_facets_;
+            return;
+        }
+        put_facet(f);
+        ++facets;
+    };
     for (const Face f : mesh_.faces()) {
         const Corner a = mesh_.corner(f), b = mesh_.next(a), c = mesh_.next(b);
         if (mesh_.next(c) == a && c != a && coincident_.empty()) {
@@ -121,6 +137,9 @@ template <class Put> void StlWriter::for_each_triangle(Put&& put)
             for (const auto& t : coincident_.triangles(triangles)) put(facet(t));
     }
     if (thin_faces_ == mesh_.face_count()) throw InputError(out_.name(), "the document holds no face with more than 2 corners");
+    if (facets == 0) throw InputError(out_.name(), "no facet has three corners that are apart in the single precision of STL");
+    if (flat_facets_ > 0)
+        out_.note(flat_facets_ == 1 ? "1 facet has corners at one place: not saved in STL" : fmt::format("{} facets have corners at one place: not saved in STL", flat_facets_));
     if (thin_faces_ > 0)
         out_.note(
             fmt::format("{} face{} fewer than 3 corners: not saved in STL", thin_faces_, thin_faces_ == 1 ? " has" : "s have"));

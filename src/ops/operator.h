@@ -138,6 +138,12 @@ public:
         operator_.parameters.back().governing.assign(values.begin(), values.end());
         return *this;
     }
+    /// The parameter added last takes the place of another one: both must not be given.
+    Definition& instead_of(std::string_view parameter)
+    {
+        operator_.parameters.back().instead_of = parameter;
+        return *this;
+    }
     /// Exactly one of these parameters is given.
     Definition& exactly_one(std::initializer_list<const char*> names)
     {

@@ -85,6 +85,7 @@ struct Parameter {
     bool repeated = false;    // a command may give it several times; as one text with blanks between the values
     std::string governor{};   // counts only where this parameter, of words, has one of these; elsewhere it must not be given
     std::vector<std::string> governing{};
+    std::string instead_of{}; // takes the place of this parameter, which must not be given beside it
 
     /// Reads a value into the parameters `p` of an operator. @throws CommandError `expected …`
     void set(void* p, std::string_view value) const { read(p, value, domain); }

@@ -13,7 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <span>
+#include <utility>
 
 namespace druse {
 
@@ -154,23 +155,27 @@ std::vector<Face> add_reversed_copy(Scene& scene)
 
 namespace {
 
-/// Six times the volume of each closed component, before and after its vertices have moved.
-std::uint32_t count_turned_over(const Mesh& mesh, std::span<const Point> before, std::span<const Point> after)
+/// How many closed components of a surface have turned inside out by its move.
+/// @param part of each face of the surface, in order; they are the first faces of the mesh. Its vertices are the first as well, then those of the copy.
+std::uint32_t count_turned_over(const Mesh& mesh, const Components& parts, std::span<const std::uint32_t> part, std::uint32_t first_moved, std::uint32_t first_still)
 {
-    const Components parts = components(mesh);
-    std::vector<double> volumes[2]{std::vector<double>(parts.parts.size(), 0.0), std::vector<double>(parts.parts.size(), 0.0)};
+    std::vector<double> before(parts.parts.size(), 0.0), after(parts.parts.size(), 0.0); // six times their volumes
     const Point origin = bounds(mesh).center();
-    for (const Face f : mesh.faces())
-        for (const auto& [points, volume] : {std::pair(before, &volumes[0]), std::pair(after, &volumes[1])}) {
+    std::size_t i = 0;
+    for (const Face f : mesh.faces()) {
+        if (i == part.size()) break;
+        for (const auto& [first, volumes] : {std::pair(first_still, &before), std::pair(first_moved, &after)}) {
+            const auto at = [&](Vertex v) { return mesh.position(Vertex(first + v.index)) - origin; };
             Point mean(0.0);
-            for (const Corner c : mesh.corners(f)) mean += points[mesh.vertex(c).index] - origin;
+            for (const Corner c : mesh.corners(f)) mean += at(mesh.vertex(c));
             mean /= double(mesh.valence(f));
-            for (const Corner c : mesh.corners(f))
-                (*volume)[parts.of_face[f.index]] += glm::dot(mean, glm::cross(points[mesh.vertex(c).index] - origin, points[mesh.target(c).index] - origin));
+            for (const Corner c : mesh.corners(f)) (*volumes)[part[i]] += glm::dot(mean, glm::cross(at(mesh.vertex(c)), at(mesh.target(c))));
         }
+        ++i;
+    }
     std::uint32_t count = 0;
-    for (std::size_t i = 0; i < parts.parts.size(); ++i)
-        if (parts.parts[i].boundary_loops == 0 && volumes[0][i] != 0 && !(volumes[1][i] / volumes[0][i] > 0)) ++count;
+    for (std::size_t k = 0; k < before.size(); ++k)
+        if (parts.parts[k].boundary_loops == 0 && before[k] != 0 && !(after[k] / before[k] > 0)) ++count;
     return count;
 }
 
@@ -179,8 +184,9 @@ struct Placement {
     std::vector<Point> moved;           // by vertex
     bool outward = false;               // the given surface moves
     std::string beyond;                 // `thickness 2 is more than the safe 0.95`, or empty
-    std::optional<double> chosen;       // the thickness, where the guard has chosen it
-    bool reduced = false;               // from one that was given
+    double thickness = 0;               // by=thickness: how thick, 0 or more
+    bool chosen = false;                // not as it was given, or not given
+    bool may_be_less = false;           // where it crosses itself
 };
 
 /// True if the corrected offsets would do where the published ones do not.
@@ -208,6 +214,7 @@ Placement place_by_thickness(const Mesh& mesh, const CrustShape& shape, Context&
     double thickness = shape.thickness.value;
     Placement result;
     result.outward = !automatic && thickness < 0;
+    result.may_be_less = automatic || shape.guard == Guard::limit;
     if (automatic || shape.guard != Guard::off) {
         const double enough = automatic ? infinity : std::abs(thickness);
         const ThicknessLimit limit = thickness_limit(mesh, offsets, result.outward, context.progress, enough);
@@ -216,7 +223,7 @@ Placement place_by_thickness(const Mesh& mesh, const CrustShape& shape, Context&
             if (std::isinf(limit.safe)) throw CommandError("thickness=auto: the surface sets no limit to go by");
             if (!(limit.safe > 0)) throw CommandError("thickness=auto: " + no_thickness());
             thickness = 0.5 * limit.safe;
-            result.chosen = thickness;
+            result.chosen = true;
         } else if (std::abs(thickness) > limit.safe) {
             const bool none = !(limit.safe > 0);
             result.beyond = fmt::format("thickness {:.6g} is more than the safe {:.6g}", std::abs(thickness), limit.safe);
@@ -224,8 +231,7 @@ Placement place_by_thickness(const Mesh& mesh, const CrustShape& shape, Context&
             if (shape.guard == Guard::limit) {
                 if (none) throw CommandError(no_thickness());
                 thickness = std::copysign(limit.safe, thickness);
-                result.chosen = thickness;
-                result.reduced = true;
+                result.chosen = true;
                 result.beyond.clear();
             }
         }
@@ -235,6 +241,7 @@ Placement place_by_thickness(const Mesh& mesh, const CrustShape& shape, Context&
     if (offsets.still > 0)
         context.note(counted(offsets.still, "vertex has no face with an area: not moved", "vertices have no face with an area: not moved"));
     if (offsets.limited > 0) context.note(counted(offsets.limited, "vertex limited", "vertices limited"));
+    result.thickness = std::abs(thickness);
     result.moved = std::move(offsets.outward);
     for (std::uint32_t v = 0; v < mesh.vertex_limit(); ++v) result.moved[v] = mesh.position(Vertex(v)) - thickness * result.moved[v];
     return result;
@@ -262,7 +269,7 @@ std::uint32_t drop_point_spheres(Mesh& mesh)
 }
 
 /// Corners and the centres of faces tell when a crust turns over or comes up against a wall; that edges cross before is seen only when it is
-/// there. Then a thickness that was chosen, not given, is halved until they do not; where that is of no use, because the surface meets itself
+/// there. Then the thickness is halved until they do not; where that is of no use, because the surface meets itself
 /// without a crust, it stays as it was.
 /// @return how often it was halved
 int thin_until_apart(Mesh& mesh, std::uint32_t first_moved, const std::vector<Point>& moved, Progress& progress, SelfIntersections& met)
@@ -294,8 +301,12 @@ void run_crust(Scene& scene, const CrustShape& shape, Context& context)
     if (mesh.edge_count() == 0) throw CommandError("there is no surface");
     const Placement placement = shape.by == CrustBy::scale ? place_by_scale(mesh, shape) : place_by_thickness(mesh, shape, context);
     const std::uint32_t vertices = mesh.vertex_limit(), faces = mesh.face_limit();
-    CrustFaults faults;
-    if (shape.guard != Guard::off) faults.turned_over = count_turned_over(mesh, mesh.positions(), placement.moved);
+    Components parts;
+    std::vector<std::uint32_t> part; // of each face
+    if (shape.guard != Guard::off) {
+        parts = components(mesh);
+        for (const Face f : mesh.faces()) part.push_back(parts.of_face[f.index]);
+    }
 
     const std::vector<Face> rim = add_reversed_copy(scene);
     const std::uint32_t first_moved = placement.outward ? 0 : vertices;
@@ -306,15 +317,17 @@ void run_crust(Scene& scene, const CrustShape& shape, Context& context)
     }
     scene.rind = Rind::of_copies(mesh, faces);
 
+    CrustFaults faults;
     int halvings = 0;
     if (shape.guard != Guard::off) {
         faults.met = self_intersections(mesh, context.progress, CrustFaults::most);
-        if (placement.chosen && faults.met.pairs > 0) halvings = thin_until_apart(mesh, first_moved, placement.moved, context.progress, faults.met);
+        if (placement.may_be_less && faults.met.pairs > 0) halvings = thin_until_apart(mesh, first_moved, placement.moved, context.progress, faults.met);
+        faults.turned_over = count_turned_over(mesh, parts, part, first_moved, vertices - first_moved);
     }
-    if (placement.chosen) {
-        const double thickness = std::ldexp(std::abs(*placement.chosen), -halvings);
-        context.note(fmt::format("thickness {}{:.6g}{}", !placement.reduced ? "" : halvings == 0 ? "reduced to the safe " : "reduced to ", thickness,
-                                 halvings == 0 ? "" : ": a thicker one crosses itself"));
+    if (placement.chosen || halvings > 0) {
+        const bool given = shape.thickness.word.empty();
+        context.note(fmt::format("thickness {}{:.6g}{}", !given ? "" : halvings == 0 ? "reduced to the safe " : "reduced to ",
+                                 std::ldexp(placement.thickness, -halvings), halvings == 0 ? "" : ": a thicker one crosses itself"));
     }
     if (faults.any() || !placement.beyond.empty()) {
         const std::string found = faults.any() ? faults.text() : "";

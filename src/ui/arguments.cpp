@@ -30,7 +30,9 @@ void Arguments::set(std::string_view parameter, std::string_view text)
 bool Arguments::counts(std::string_view parameter) const
 {
     const Parameter* p = operator_->find(parameter);
-    return p && (p->governor.empty() || Operator::counts(*p, text(p->governor)));
+    if (!p || !(p->governor.empty() || Operator::counts(*p, text(p->governor)))) return false;
+    return std::none_of(operator_->parameters.begin(), operator_->parameters.end(),
+                        [&](const Parameter& other) { return other.instead_of == p->name && given_.contains(other.name); });
 }
 
 std::string Arguments::command(const std::vector<std::pair<std::string, std::string>>& overrides) const

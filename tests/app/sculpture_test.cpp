@@ -208,6 +208,7 @@ TEST(Tessellation, IsUnchangedByWhatIsRefused)
              {"graph.map to=helix span=1", "span=1: expected between 0 and 1, both excluded"},
              {"graph.map to=polyp rim=0", "rim=0: expected above 0"},
              {"graph.map to=polyp height_expr=log(r)", "height_expr=log(r): log(0) is not a finite number, at vertex 0 (0, 0)"},
+             {"graph.map to=polyp height=2 height_expr=x", "height_expr is in place of height: give one of them"},
              {"graph.map to=polyp height_expr=x+", "height_expr=x+: expected a value at the end"},
              {"graph.map to=torus", "expected a face at the centre, not a vertex; graph.tess with center=face or face:N makes one"},
              {"graph.map to=knot rho=0.9", "expected a face at the centre, not a vertex; graph.tess with center=face or face:N makes one"}}) {

@@ -18,5 +18,15 @@ TEST(NearestPoints, OfSegmentsAreWhereTheyCrossOrEnd)
     EXPECT_NEAR(distance_to_segment({5, 3, 4}, {0, 0, 0}, {5, 0, 0}), 5, 1e-15);
 }
 
+TEST(NearestPoints, OfNearParallelsAreWhereTheyCross)
+{
+    for (const double slant : {1e-5, 1e-7, 1e-9, 1e-12}) { // both go through (0.3, 0.3 slant, 0)
+        const NearestPoints found = nearest_points({-0.7, -0.7 * slant, 0}, {1.3, 1.3 * slant, 0}, {1.3, -0.7 * slant, 0}, {-1.7, 2.3 * slant, 0});
+        EXPECT_NEAR(found.s, 0.5, 1e-9) << slant;
+        EXPECT_NEAR(found.t, 1.0 / 3, 1e-9) << slant;
+        EXPECT_LT(found.distance, 1e-15);
+    }
+}
+
 } // namespace
 } // namespace druse

@@ -16,8 +16,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <tuple>
 
 namespace druse {
 namespace {
@@ -332,6 +334,27 @@ TEST(StrutSurface, RefusesWhatCoordinatesCannotTell)
     for (Point& p : far.vertices) p += Point(1e15);
     EXPECT_THROW(make(far, {.radius = 0.01}), CommandError);
     EXPECT_THROW(make({{Point(1e20), Point(1e20, 1e20, 1.1e20)}, {{0, 1}}}, {.radius = 1e-3, .scale = StrutScale::absolute}), CommandError);
+    EXPECT_THROW(make({{Point(0), Point(0, 0, 1e-60)}, {{0, 1}}}, {}), CommandError);
+    EXPECT_THROW(make({{Point(0), Point(0, 0, 1)}, {{0, 1}}}, {.radius = 1e-60, .scale = StrutScale::absolute}), CommandError);
+}
+
+TEST(StrutSurface, KeepsCornersApartOrRefusesHoweverThinStrutsAre)
+{
+    const Graph graph{{Point(0.1, 0.7, -0.4), Point(1.3, 0.2, 0.6), Point(0.9, 1.1, 2.3)}, {{0, 1}, {1, 2}}};
+    std::uint32_t made = 0;
+    for (double radius = 1e-10; radius > 1e-18; radius *= 0.7)
+        for (const StrutCap cap : {StrutCap::flat, StrutCap::round, StrutCap::point}) {
+            try {
+                std::vector<Point> points = make(graph, {.radius = radius, .scale = StrutScale::absolute, .cap = cap}).surface.mesh.positions();
+                const auto less = [](const Point& a, const Point& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+                std::sort(points.begin(), points.end(), less);
+                EXPECT_EQ(std::adjacent_find(points.begin(), points.end()), points.end()) << radius;
+                ++made;
+            } catch (const CommandError&) {
+                EXPECT_LT(radius, 1e-12);
+            }
+        }
+    EXPECT_GT(made, 3u);
 }
 
 TEST(StrutSurface, IsTheSameWhateverThreadsMakeIt)

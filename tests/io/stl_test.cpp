@@ -183,6 +183,23 @@ TEST(WriteStl, SaysWhereEdgesAreTooShortToBeDivided)
     EXPECT_NE(std::ranges::find(out.notes, "1 coincident edge is too short to be divided in single precision"), out.notes.end());
 }
 
+TEST(WriteStl, LeavesOutFacetsOfEdgesWithoutLength)
+{
+    MeshBuilder builder; // a cube with a corner that is two
+    for (const double z : {0.0, 1.0})
+        for (const Point2& p : {Point2{0, 0}, {1, 0}, {1, 1}, {0, 1}}) builder.add_vertex({p.x, p.y, z});
+    builder.add_vertex({0, 0, 0});
+    for (const std::vector<std::uint32_t>& face : std::vector<std::vector<std::uint32_t>>{
+             {0, 3, 2, 1, 8}, {8, 1, 5, 4, 0}, {0, 4, 7, 3}, {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}})
+        builder.add_face(face);
+    const Mesh mesh = builder.build();
+    const Written out = written(mesh, "stl");
+    EXPECT_EQ(triangle_count(out.text), 12u);
+    EXPECT_EQ(most_facets_at_a_side(out.text), 2u);
+    EXPECT_NE(std::ranges::find(out.notes, "2 facets have corners at one place: not saved in STL"), out.notes.end());
+    EXPECT_NEAR(volume(read_text(out.text, "stl").mesh), 1, 1e-12);
+}
+
 TEST(WriteStl, WritesReadableTextIfWanted)
 {
     const Mesh mesh = read_text("v 0 0 0\nv 1 0 0\nv 0 0.1 0\nv 0 0 1\n" + tetrahedron_faces, "obj").mesh;
@@ -210,6 +227,9 @@ TEST(WriteStl, RefusesWhatItCannotHold)
     EXPECT_EQ(error(Mesh()), path + ": the document holds no faces");
     const Graph graph{{{0, 0, 0}, {1, 0, 0}}, {{0, 1}}};
     EXPECT_EQ(error(Mesh(), &graph), path + ": the document holds a graph and no faces; STL holds only faces");
+    Mesh point = cube();
+    for (Point& p : point.write_positions()) p = Point(1);
+    EXPECT_EQ(error(point), path + ": no facet has three corners that are apart in the single precision of STL");
     EXPECT_EQ(error(point_sphere()), path + ": the document holds no face with more than 2 corners");
     Mesh far = cube();
     far.set_position(Vertex(5), {0, 1e39, 0});

@@ -463,6 +463,14 @@ TEST(Guard, ThinsAThicknessOfItsOwnUntilNoEdgesCross)
         ASSERT_EQ(said.size(), 1u);
         EXPECT_NE(said[0].find(": a thicker one crosses itself"), std::string::npos) << said[0];
         EXPECT_EQ(self_intersections(scene.mesh, progress).pairs, 0u);
+
+        for (const double part : {0.5, 2.0}) { // of what seems safe
+            Scene limited = scene_of(wedges);
+            const auto reduced = notes(limited, "rind.crust", {{"thickness", number_text(part * safe)}, {"uniform", uniform ? "true" : "false"}, {"guard", "limit"}});
+            ASSERT_EQ(reduced.size(), 1u);
+            EXPECT_TRUE(reduced[0].starts_with("thickness reduced to ") && reduced[0].ends_with(": a thicker one crosses itself")) << reduced[0];
+            EXPECT_EQ(self_intersections(limited.mesh, progress).pairs, 0u);
+        }
     }
 }
 
