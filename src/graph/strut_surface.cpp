@@ -64,7 +64,7 @@ void SurfaceMaker::check_sizes() const
         const std::uint32_t v = graph_.edges[end / 2][end % 2];
         const double radius = placement_.ends[end].radius;
         if (radius >= StrutPlacement::least_size && radius * side >= steps * CoordinateGrid(graph_.vertices[v], placement_.reach[v]).step()) continue;
-        throw CommandError(fmt::format("{}: its struts are too thin{}", placer_.vertex_name(v),
+        throw CommandError(fmt::format("{}: its {} too thin{}", placer_.vertex_name(v), incidence_.valence(v) == 1 ? "strut is" : "struts are",
                                        radius >= StrutPlacement::least_size ? " for coordinates of that size" : ""));
     }
 }

@@ -345,7 +345,9 @@ TEST(StrutSurface, KeepsCornersApartOrRefusesHoweverThinStrutsAre)
     for (double radius = 1e-10; radius > 1e-18; radius *= 0.7)
         for (const StrutCap cap : {StrutCap::flat, StrutCap::round, StrutCap::point}) {
             try {
-                std::vector<Point> points = make(graph, {.radius = radius, .scale = StrutScale::absolute, .cap = cap}).surface.mesh.positions();
+                const Made thin = make(graph, {.radius = radius, .scale = StrutScale::absolute, .cap = cap});
+                const auto places = thin.surface.mesh.positions();
+                std::vector<Point> points(places.begin(), places.end());
                 const auto less = [](const Point& a, const Point& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
                 std::sort(points.begin(), points.end(), less);
                 EXPECT_EQ(std::adjacent_find(points.begin(), points.end()), points.end()) << radius;
