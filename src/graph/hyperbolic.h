@@ -35,6 +35,8 @@ public:
         return {scale * a, scale * b};
     }
 
+    /// Grows with the distance by which it moves the centre: sinh² of half of it.
+    double reach() const { return std::norm(b_); }
     /// Where it takes the centre.
     Complex origin() const { return product(b_, a_) / std::norm(a_); }
     /// Where it takes a point of the disk.

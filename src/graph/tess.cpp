@@ -212,7 +212,10 @@ Tess tessellate(const TessShape& shape, bool with_polygons, Progress& progress)
     const int corner = find_center(shape);
 
     GrowingPatch patch(shape, *symbol);
-    if (!patch.seed(corner)) throw CommandError(fmt::format("layers={} would give {}, and so would layers=0", shape.layers, patch.complaint()));
+    if (!patch.seed(corner)) {
+        const bool is_shifted = shape.shift_x != 0 || shape.shift_y != 0;
+        throw CommandError(fmt::format("layers={} would give {}, and so would layers=0{}", shape.layers, patch.complaint(), is_shifted ? "; expected a smaller shift" : ""));
+    }
     for (int done = 0; done < shape.layers; ++done)
         if (!patch.add_layer(progress)) throw CommandError(fmt::format("layers={} would give {}; expected {} or less", shape.layers, patch.complaint(), done));
     Tess result = patch.take(with_polygons);

@@ -16,14 +16,11 @@ TessGrowth::TessGrowth(std::span<const int> polygons, AdjacencySymbol symbol)
         angles_.push_back(angle);
         angle += interior_angle(p, length_);
     }
-    // Turn to the slot, go along the edge, and turn so that the partner's slot looks back.
+    // Turn to the slot, go along the edge, and turn so that the slot there looks back.
     const Motion forth = Motion::translation(length_);
-    for (const bool mirrored : {false, true})
-        for (std::uint32_t i = 0; i < k_; ++i) {
-            const auto& partner = symbol_.partners[i];
-            const double out = mirrored ? -angles_[i] : angles_[i], back = angles_[std::size_t(partner.slot)];
-            steps_.push_back(Motion::rotation(out) * forth * Motion::rotation(pi - (mirrored != partner.mirrored ? -back : back)));
-        }
+    const auto turn = [this](std::uint32_t key) { return key < k_ ? angles_[key] : -angles_[key - k_]; };
+    for (std::uint32_t here = 0; here < 2 * k_; ++here)
+        for (std::uint32_t there = 0; there < 2 * k_; ++there) steps_.push_back(Motion::rotation(turn(here)) * forth * Motion::rotation(pi - turn(there)));
 }
 
 // --- seeds ----------------------------------------------------------------------------------------------------------------------
@@ -42,7 +39,9 @@ void TessGrowth::seed_vertex() { add_vertex(Motion(), false); }
 void TessGrowth::seed_edge(int slot)
 {
     const std::uint32_t v = add_vertex(Motion::translation(-0.5 * length_) * Motion::rotation(-angles_[std::size_t(slot)]), false);
-    step(at(v, static_cast<std::uint32_t>(slot)));
+    const Half h = at(v, static_cast<std::uint32_t>(slot));
+    step(h);
+    place_from(h);
 }
 
 // --- growth ---------------------------------------------------------------------------------------------------------------------
@@ -87,16 +86,37 @@ void TessGrowth::join(Half a, Half b)
     edges_.push_back(std::min(a, b));
 }
 
-/// Makes the vertex at the other end of a free half-edge. @return its half-edge that goes on round the face on the left
+/// Makes the vertex at the other end of a free half-edge, without its place. @return its half-edge that goes on round the face on the left
 TessGrowth::Half TessGrowth::step(Half h)
 {
-    const std::uint32_t from = vertex(h), s = slot(h);
-    const auto& partner = symbol_.partners[s];
-    const bool was_mirrored = mirrored_[from] != 0;
-    const std::uint32_t v = add_vertex(frames_[from] * steps_[was_mirrored ? k_ + s : s], was_mirrored != partner.mirrored);
+    const auto& partner = symbol_.partners[slot(h)];
+    const std::uint32_t v = add_vertex(Motion(), (mirrored_[vertex(h)] != 0) != partner.mirrored);
     const Half back = at(v, static_cast<std::uint32_t>(partner.slot));
     join(h, back);
     return clockwise(back);
+}
+
+/// Places the vertex at the other end of a half-edge.
+void TessGrowth::place_from(Half h)
+{
+    const Half back = link_[h];
+    frames_[vertex(back)] = frames_[vertex(h)] * steps_[std::size_t(2) * k_ * key(h) + key(back)];
+}
+
+/// Places as many corners of a face as there are between two that have their places, each from the end that is nearer to the centre: an error that is made
+/// far out would grow by as much again on the way back.
+void TessGrowth::place_between(Half ahead, Half behind, int count)
+{
+    for (; count > 0; --count) {
+        if (frames_[vertex(ahead)].reach() <= frames_[vertex(behind)].reach()) {
+            place_from(ahead);
+            ahead = next_in_face(ahead);
+        } else {
+            const Half in = counter_clockwise(behind);
+            place_from(in);
+            behind = link_[in];
+        }
+    }
 }
 
 /// The other end of a missing edge that begins in the free half-edge h, if the face on its right has all its corners in one chain already.
@@ -152,8 +172,11 @@ void TessGrowth::add_face(Half h)
         }
     }
     if (!closed) {
+        const Half ahead = last;
+        const int missing = p - corners;
         for (; corners < p; ++corners) last = step(last);
         join(last, counter_clockwise(first));
+        place_between(ahead, first, missing);
     }
     ASSERT(corners == p, "a face with as many corners as it has sides");
     for (int i = 0; i < p; ++i) {

@@ -56,6 +56,9 @@ private:
     std::uint32_t add_vertex(const Motion& frame, bool mirrored);
     void join(Half a, Half b);
     Half step(Half h);
+    std::uint32_t key(Half h) const { return slot(h) + (mirrored_[vertex(h)] ? k_ : 0); }
+    void place_from(Half h);
+    void place_between(Half ahead, Half behind, int count);
     Half forced_end_ahead(Half h) const;
     Half forced_end_behind(Half h) const;
     void add_face(Half h);
@@ -65,7 +68,7 @@ private:
     std::uint32_t k_;
     double length_;
     std::vector<double> angles_;          // of each slot from slot 0
-    std::vector<Motion> steps_;           // from a vertex to its neighbour in each slot, then the same for vertices that are mirrored
+    std::vector<Motion> steps_;           // from a vertex to its neighbour, by keys of the half-edge there and of the one that it is joined to
     std::vector<Motion> frames_;          // by vertex
     std::vector<char> mirrored_;          // by vertex: its slots run clockwise
     std::vector<std::uint16_t> covered_;  // by vertex: a bit for each corner that has its face

@@ -14,7 +14,7 @@
 
 namespace druse {
 
-/// Edges that lie upon each other, for a format of loose facets: columns that holes of a rind leave where they meet at a corner, the rungs of
+/// Edges that lie upon each other, for a format of triangles whose reader goes by places: columns that holes of a rind leave where they meet at a corner, the rungs of
 /// walls without thickness, solids that touch along an edge. A reader finds neighbours by places only, and would have four facets at one side to
 /// choose from. So all but one of such edges get a point of their own in the file, and so do sides across the faces beside them, and across faces
 /// that meet at a vertex with two edges, wherever another side has the same two ends. However many sides these faces have, and however many lie

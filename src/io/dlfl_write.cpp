@@ -99,7 +99,7 @@ void DlflWriter::put_rind()
 
 void DlflWriter::write()
 {
-    const std::vector<int> used = groups_in_use(mesh_);
+    const std::vector<int> used = groups_in_use(mesh_, groups_);
     const std::string library = write_group_materials(groups_, used, out_);
     sink_.put("DLFL\n");
     if (!library.empty()) sink_.put("mtllib " + library + '\n');

@@ -8,13 +8,13 @@
 
 namespace druse {
 
-std::vector<int> groups_in_use(const Mesh& mesh)
+std::vector<int> groups_in_use(const Mesh& mesh, const GroupTable& groups)
 {
     std::vector<int> used;
     for (const int id : mesh.groups())
         if (used.empty() || used.back() != id) used.push_back(id);
     sort_unique(used);
-    if (used.size() == 1 && used[0] == 0) used.clear();
+    if (used.size() == 1 && used[0] == 0 && !groups.has_own_colour(0) && groups.name(0).empty()) used.clear();
     return used;
 }
 

@@ -9,8 +9,8 @@
 
 namespace druse {
 
-/// The ids that faces carry, in ascending order, each once; empty if no face is grouped, else with 0 if some are not.
-std::vector<int> groups_in_use(const Mesh& mesh);
+/// The ids that faces carry, in ascending order, each once, with 0 if some are not grouped. Empty if none is, and group 0 has no colour or name of its own.
+std::vector<int> groups_in_use(const Mesh& mesh, const GroupTable& groups);
 
 /// The name of a group as a file gives it: the first word, without bytes that a terminal would obey; may be empty.
 std::string group_name_in(std::string_view text);

@@ -71,7 +71,7 @@ void write_obj(const ModelView& model, OutputFiles& out)
     }
     const EdgeSplits splits(mesh);
     splits.note(out);
-    const std::vector<int> groups = groups_in_use(mesh);
+    const std::vector<int> groups = groups_in_use(mesh, model.groups);
     const std::string library = write_group_materials(model.groups, groups, out);
     if (!library.empty()) sink.put("mtllib " + library + '\n');
     for (const Point& p : mesh.positions()) put_vertex(sink, p);

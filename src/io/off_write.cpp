@@ -46,7 +46,7 @@ void write_off(const ModelView& model, OutputFiles& out)
         }
         sink.put(std::uint64_t(ring.size()));
         for (const std::uint32_t v : ring) put_counted(v);
-        if (const int group = mesh.group(f); group > 0) {
+        if (const int group = mesh.group(f); group > 0 || model.groups.has_own_colour(0)) {
             const Colour colour = model.groups.colour(group);
             for (const std::uint8_t channel : {colour.red, colour.green, colour.blue}) put_counted(channel);
         }

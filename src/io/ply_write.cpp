@@ -58,7 +58,7 @@ private:
 class PlyWriter {
 public:
     PlyWriter(const ModelView& model, OutputFiles& out)
-        : mesh_(model.mesh), table_(model.groups), out_(out), splits_(mesh_), groups_(groups_in_use(mesh_))
+        : mesh_(model.mesh), table_(model.groups), out_(out), splits_(mesh_), groups_(groups_in_use(mesh_, table_))
     {
     }
     void write();

@@ -113,14 +113,14 @@ void StlWriter::put_ascii(const Facet& facet)
 template <class Put> void StlWriter::for_each_triangle(Put&& put_facet)
 {
     Triangulator triangulator;
-    std::uint64_t facets = 0;
+    bool has_area = false;
     const auto put = [&](const Facet& f) {
         if (is_flat(f)) [[unlikely]] {
             ++flat_facets_;
             return;
         }
+        has_area = has_area || f[0] != 0 || f[1] != 0 || f[2] != 0;
         put_facet(f);
-        ++facets;
     };
     for (const Face f : mesh_.faces()) {
         const Corner a = mesh_.corner(f), b = mesh_.next(a), c = mesh_.next(b);
@@ -137,7 +137,7 @@ template <class Put> void StlWriter::for_each_triangle(Put&& put_facet)
             for (const auto& t : coincident_.triangles(triangles)) put(facet(t));
     }
     if (thin_faces_ == mesh_.face_count()) throw InputError(out_.name(), "the document holds no face with more than 2 corners");
-    if (facets == 0) throw InputError(out_.name(), "no facet has three corners that are apart in the single precision of STL");
+    if (!has_area) throw InputError(out_.name(), "no facet has an area in the single precision of STL");
     if (flat_facets_ > 0)
         out_.note(flat_facets_ == 1 ? "1 facet has corners at one place: not saved in STL" : fmt::format("{} facets have corners at one place: not saved in STL", flat_facets_));
     if (thin_faces_ > 0)

@@ -281,6 +281,7 @@ private:
     void make_boundary(Index v, Index loop);
     Index put(const Point2& p, Index moved = none, Place at = {});
     Index split_edge(Index from, Index to, const Point2& p, Index moved = none);
+    void lead_through(Index v, Index from, Index to, std::uint32_t bits);
     Index do_add(const Meaning& meaning);
     Index do_add_boundary(const Point2& at, Index from, Index to);
     Index do_move(Index v, const Point2& to, double snap);
@@ -311,6 +312,8 @@ private:
     void tidy_crossings();
     std::vector<Index> near_line(Index u, Index v, double reach) const;
     SegmentId do_constrain(std::span<const Index> path);
+    template <class F>
+    SegmentId constrain_once(F&& find_path); // and not where it is there already
 
     // quality
     friend class Refiner;

@@ -141,17 +141,23 @@ Index Pane::split_edge(Index from, Index to, const Point2& p, Index moved)
     const std::uint32_t bits = t.bits(h);
     t.clear_bits(h, bits);
     t.legalise();
-    const Index loop = points_[from].loop, v = put(p, moved);
+    const Index v = put(p, moved);
+    lead_through(v, from, to, bits);
+    return v;
+}
+
+/// What the edge from → to carried goes through v from now on.
+void Pane::lead_through(Index v, Index from, Index to, std::uint32_t bits)
+{
     if ((bits & Triangulation::loop_bit) != 0) {
-        if (points_[v].kind == PointKind::boundary) refuse(Reason::boundary_touches, fmt::format("{} would lie on the boundary", text(v)));
-        make_boundary(v, loop);
+        if (points_[v].kind == PointKind::boundary) refuse(Reason::boundary_touches, fmt::format("{} is on the boundary", text(v)));
+        make_boundary(v, points_[from].loop);
         loops_changed_ = true;
     }
     if ((bits & Triangulation::segment_bit) != 0) split_pieces(from, to, v);
     pend(from, v, bits);
     pend(v, to, bits);
     report_.splits.push_back({points_[v].id, points_[from].id, points_[to].id});
-    return v;
 }
 
 /// Frees all edges at v of what they carry.
@@ -189,7 +195,7 @@ Index Pane::do_add_boundary(const Point2& at, Index from, Index to)
     if (!t.in_box(at)) t.grow_box(at);
     while (points_.size() < t.vertex_end()) points_.add({});
     const Meaning meaning = interpret(at, state_.snap, none, false);
-    const Index h = t.find_side(from, to), loop = points_[from].loop;
+    const Index h = t.find_side(from, to);
     const bool on_this = (meaning.edge_from == from && meaning.edge_to == to) || (meaning.edge_from == to && meaning.edge_to == from);
     if (on_this && meaning.vertex == none) return split_edge(from, to, meaning.at);
     if (meaning.vertex != none && points_[meaning.vertex].kind == PointKind::boundary)
@@ -200,13 +206,7 @@ Index Pane::do_add_boundary(const Point2& at, Index from, Index to)
     t.clear_bits(h, bits);
     t.legalise();
     const Index v = do_add({meaning.at, meaning.vertex, meaning.edge_from, meaning.edge_to, {}});
-    if (points_[v].kind == PointKind::boundary) refuse(Reason::boundary_touches, fmt::format("{} is on the boundary", text(at)));
-    make_boundary(v, loop);
-    loops_changed_ = true;
-    if ((bits & Triangulation::segment_bit) != 0) split_pieces(from, to, v);
-    pend(from, v, bits);
-    pend(v, to, bits);
-    report_.splits.push_back({points_[v].id, points_[from].id, points_[to].id});
+    lead_through(v, from, to, bits);
     return v;
 }
 

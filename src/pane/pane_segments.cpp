@@ -314,14 +314,12 @@ struct Repeated {
 
 } // namespace
 
-SegmentId Pane::constrain(std::span<const PointId> path)
+template <class F>
+SegmentId Pane::constrain_once(F&& find_path)
 {
     try {
         return edit([&] {
-            std::vector<Index> vertices;
-            for (const PointId point : path) vertices.push_back(vertex_asked(point));
-            if (path.size() < 2) refuse(Reason::too_few_points, "a segment needs two points");
-            const SegmentId segment = do_constrain(vertices);
+            const SegmentId segment = do_constrain(find_path());
             settle();
             if (const Index other = double_of(Index(segment)); other != none) throw Repeated{SegmentId(other)};
             return segment;
@@ -332,26 +330,28 @@ SegmentId Pane::constrain(std::span<const PointId> path)
     }
 }
 
+SegmentId Pane::constrain(std::span<const PointId> path)
+{
+    return constrain_once([&] {
+        std::vector<Index> vertices;
+        for (const PointId point : path) vertices.push_back(vertex_asked(point));
+        if (path.size() < 2) refuse(Reason::too_few_points, "a segment needs two points");
+        return vertices;
+    });
+}
+
 SegmentId Pane::constrain_line(std::span<const Point2> line)
 {
     for (const Point2& p : line) require_range(p);
-    try {
-        return edit([&] {
-            if (line.size() < 2) refuse(Reason::too_few_points, "a line needs two points");
-            std::vector<Index> vertices;
-            for (const Point2& p : line) {
-                vertices.push_back(do_add(interpret(p, state_.snap, none, true)));
-                settle();
-            }
-            const SegmentId segment = do_constrain(vertices);
+    return constrain_once([&] {
+        if (line.size() < 2) refuse(Reason::too_few_points, "a line needs two points");
+        std::vector<Index> vertices;
+        for (const Point2& p : line) {
+            vertices.push_back(do_add(interpret(p, state_.snap, none, true)));
             settle();
-            if (const Index other = double_of(Index(segment)); other != none) throw Repeated{SegmentId(other)};
-            return segment;
-        });
-    } catch (const Repeated& repeated) {
-        report_.notes.push_back(fmt::format("duplicate: segment {} is there already", Index(repeated.segment)));
-        return repeated.segment;
-    }
+        }
+        return vertices;
+    });
 }
 
 std::vector<SegmentId> Pane::constrain_all(std::span<const std::pair<PointId, PointId>> ends)

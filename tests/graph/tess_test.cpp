@@ -133,6 +133,19 @@ TEST_P(EveryConfig, HasEqualEdgesAndNoVertexTwiceWhateverIsAtTheCentre)
     }
 }
 
+TEST(Tess, KeepsEqualEdgesOverManyLayers)
+{
+    for (const auto& [config, layers] : std::initializer_list<std::pair<Config, int>>{{{7, 7, 7}, 9}, {{3, 3, 3, 3, 3, 3, 3}, 9}, {{5, 4, 5, 4}, 8}, {{5, 3, 4, 3, 3}, 11}, {{4, 6, 14}, 12}})
+        for (const Center center : {Center::face, Center::vertex}) {
+            const double length = edge_length(config);
+            const Tess t = tess({.config = config, .center = center, .layers = layers});
+            double worst = 0;
+            for (const auto& [a, b] : t.graph.edges)
+                worst = std::max(worst, std::abs(distance(complex(t.graph.vertices[a]), complex(t.graph.vertices[b])) - length));
+            EXPECT_LT(worst, 1e-7) << testing::PrintToString(config);
+        }
+}
+
 TEST(Tess, HasAtItsCentreWhatIsAskedFor)
 {
     const auto mean_of_first = [](const Tess& t, int n) {
@@ -232,7 +245,7 @@ TEST(Tess, RefusesMoreThanFitsAndSaysHowMuchDoes)
     const int fits = std::stoi(many.substr(largest + 11));
     EXPECT_EQ(complaint({.config = Config(12, 12), .layers = fits}), "(none)");
     EXPECT_EQ(complaint({.config = Config(12, 12), .layers = fits + 1}).substr(0, 9), "layers=" + std::to_string(fits + 1) + " ");
-    EXPECT_EQ(complaint({.config = {7, 7, 7}, .shift_x = 1 - 1e-13}), "layers=3 would give edges shorter than 1e-06, and so would layers=0");
+    EXPECT_EQ(complaint({.config = {7, 7, 7}, .shift_x = 1 - 1e-13}), "layers=3 would give edges shorter than 1e-06, and so would layers=0; expected a smaller shift");
     EXPECT_EQ(complaint({.center = Center::vertex, .model = DiskModel::halfplane, .shift_x = 1 - 1e-10}), "model=halfplane: a vertex lies at infinity; another turn moves it away");
 }
 

@@ -172,5 +172,22 @@ TEST(GroupsFromColours, TellsAllColoursApart)
     for (int f = 0; f < 4096; ++f) ASSERT_EQ(ids[static_cast<std::size_t>(f)], f % 2048 + 1);
 }
 
+TEST(GroupsFromColours, KeepsColourAndNameOfFacesWithoutAGroup)
+{
+    Model model;
+    model.mesh = cube();
+    for (const std::string format : {"obj", "dlfl", "ply", "glb", "gltf", "off"}) EXPECT_FALSE(there_and_back(view(model), format).groups.has_own_colour(0)) << format;
+    model.groups.set_colour(0, {255, 0, 10});
+    model.groups.set_name(0, "base");
+    for (const std::string format : {"obj", "dlfl", "ply", "glb", "gltf"}) {
+        const Model back = there_and_back(view(model), format);
+        EXPECT_EQ(back.mesh.largest_group(), 0) << format;
+        EXPECT_EQ(back.groups.colour(0), (Colour{255, 0, 10})) << format;
+        EXPECT_EQ(back.groups.name(0), "base") << format;
+    }
+    const Model off = there_and_back(view(model), "off"); // has no ids: a colour is a group
+    EXPECT_EQ(off.groups.colour(off.mesh.group(Face(0))), (Colour{255, 0, 10}));
+}
+
 } // namespace
 } // namespace druse::test

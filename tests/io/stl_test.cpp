@@ -236,7 +236,7 @@ TEST(WriteStl, RefusesWhatItCannotHold)
     EXPECT_EQ(error(Mesh(), &graph), path + ": the document holds a graph and no faces; STL holds only faces");
     Mesh point = cube();
     for (Point& p : point.write_positions()) p = Point(1);
-    EXPECT_EQ(error(point), path + ": no facet has three corners that are apart in the single precision of STL");
+    EXPECT_EQ(error(point), path + ": no facet has an area in the single precision of STL");
     EXPECT_EQ(error(point_sphere()), path + ": the document holds no face with more than 2 corners");
     Mesh far = cube();
     far.set_position(Vertex(5), {0, 1e39, 0});

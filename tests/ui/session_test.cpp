@@ -361,6 +361,7 @@ TEST(Session, ALongCommandDoesNotHoldUpTheCallerAndCanBeCancelled)
     session.run("make.sphere nu=200 nv=100");
     session.wait();
     const Counts before = session.display().counts;
+    while (woken == 0) std::this_thread::yield();
     woken = 0;
 
     session.run("remesh.catmull_clark iterations=3"); // a million faces
