@@ -72,8 +72,9 @@ Implied implied_by_sweep(const Arguments& arguments)
 Implied implied_by_cells(const Arguments& arguments)
 {
     if (arguments.text("trim") != "ball") return {};
+    const std::string cells = arguments.text("cells");
     std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
-    for (const std::string_view n : split(arguments.text("cells"), ',')) least = std::min(least, parse_id(n));
+    for (const std::string_view n : split(cells, ',')) least = std::min(least, parse_id(n));
     Implied implied;
     add_auto(implied, arguments, "size", 0.5 * least);
     return implied;

@@ -254,7 +254,7 @@ TEST(Tess, RefusesPiecesOfEdgesThatAreTooShort)
     // 1e-5 from the rim of the disk a heptagon has edges of 3e-6 to 1e-5.
     const TessShape whole{.layers = 0, .shift_x = 1 - 1e-5}, pieces{.layers = 0, .shift_x = 1 - 1e-5, .arc = 64};
     EXPECT_EQ(complaint(whole), "(none)");
-    EXPECT_EQ(complaint(pieces), "layers=0 would give pieces of edges shorter than 1e-06, and so would layers=0");
+    EXPECT_EQ(complaint(pieces), "layers=0 would give pieces of edges shorter than 1e-06, and so would layers=0; expected a smaller shift");
 }
 
 TEST(Tess, CountsThePiecesOfEdgesAmongItsVertices)

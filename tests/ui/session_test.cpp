@@ -356,13 +356,11 @@ TEST_F(CubeSession, AQueryTellsWhatItFoundAndIsNoStep)
 TEST(Session, ALongCommandDoesNotHoldUpTheCallerAndCanBeCancelled)
 {
     Session session(all_operators());
-    std::atomic<int> woken{0};
-    session.wake = [&] { ++woken; };
     session.run("make.sphere nu=200 nv=100");
     session.wait();
     const Counts before = session.display().counts;
-    while (woken == 0) std::this_thread::yield();
-    woken = 0;
+    std::atomic<int> woken{0};
+    session.wake = [&] { ++woken; };
 
     session.run("remesh.catmull_clark iterations=3"); // a million faces
     ASSERT_TRUE(session.busy());
