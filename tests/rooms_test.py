@@ -11,12 +11,13 @@ MAY_INCLUDE = {
     "graph": ["dlfl", "geom"],
     "pane": ["dlfl", "geom"],
     "tile": ["pane", "dlfl", "geom"],
-    "ops": ["tile", "pane", "graph", "dlfl", "geom"],
-    "io": ["tile", "pane", "graph", "dlfl", "geom"],
-    "app": ["ops", "io", "tile", "pane", "graph", "dlfl", "geom"],
+    "cell": ["pane", "dlfl", "geom"],
+    "ops": ["cell", "tile", "pane", "graph", "dlfl", "geom"],
+    "io": ["cell", "tile", "pane", "graph", "dlfl", "geom"],
+    "app": ["ops", "io", "cell", "tile", "pane", "graph", "dlfl", "geom"],
     "render": ["graph", "dlfl", "geom"],
-    "ui": ["app", "render", "ops", "io", "tile", "pane", "graph", "dlfl", "geom"],
-    "cli": ["ui", "app", "render", "ops", "io", "tile", "pane", "graph", "dlfl", "geom"],
+    "ui": ["app", "render", "ops", "io", "cell", "tile", "pane", "graph", "dlfl", "geom"],
+    "cli": ["ui", "app", "render", "ops", "io", "cell", "tile", "pane", "graph", "dlfl", "geom"],
 }
 
 # Libraries that belong to some rooms only.

@@ -2,6 +2,7 @@
 #include "tile/layered_tile.h"
 
 #include "geom/turn.h"
+#include "pane/pane_names.h"
 #include "tile/tile_stack.h"
 
 #include <fmt/format.h>
@@ -196,21 +197,8 @@ void LayeredTile::take_heights()
 /// A message of the pane, with our names of its points.
 std::string LayeredTile::named(const std::string& text) const
 {
-    // Without the word for the reason, which the next refusal puts before it again.
-    const std::size_t begin = text.find(": ");
-    std::string result, rest = begin == std::string::npos ? text : text.substr(begin + 2);
-    static const std::string word = "point ";
-    for (std::size_t at; (at = rest.find(word)) != std::string::npos;) {
-        result += rest.substr(0, at);
-        rest.erase(0, at + word.size());
-        std::size_t digits = 0;
-        int number = 0;
-        while (digits < rest.size() && digits < 9 && rest[digits] >= '0' && rest[digits] <= '9') number = 10 * number + (rest[digits++] - '0');
-        const bool known = digits > 0 && number < outline_count() + static_cast<int>(design_.interior.size());
-        result += known ? name(number).text() : word + rest.substr(0, digits);
-        rest.erase(0, digits);
-    }
-    return result + rest;
+    const auto known = static_cast<std::uint32_t>(outline_count()) + design_.interior.size();
+    return with_names(text, [&](std::uint32_t number) { return number < known ? name(static_cast<int>(number)).text() : std::string(); });
 }
 
 // --- reading ------------------------------------------------------------------------------------------------------------------------------

@@ -1,4 +1,5 @@
 // Edits of points and segments inside a LayeredTile: those of its pane.
+#include "pane/pane_names.h"
 #include "tile/layered_tile.h"
 
 #include <fmt/format.h>
@@ -96,19 +97,14 @@ void LayeredTile::constrain(std::span<const PointName> path)
 void LayeredTile::unconstrain(std::span<const PointName> path)
 {
     if (path.size() < 2) throw CommandError("a segment runs from one point to another");
-    const PointId from = id_of(find(path.front())), to = id_of(find(path.back()));
     std::vector<PointId> all;
     for (const PointName& name : path) all.push_back(id_of(find(name)));
     change_inside([&](Pane& pane) {
-        // Of several segments between these ends, the one that passes all points of the path.
-        for (const SegmentId segment : pane.segments()) {
-            const auto chain = pane.chain(segment);
-            const bool same_ends = (chain.front() == from && chain.back() == to) || (chain.front() == to && chain.back() == from);
-            if (!same_ends || !std::ranges::all_of(all, [&](PointId id) { return std::ranges::find(chain, id) != chain.end(); })) continue;
-            pane.unconstrain(segment);
-            return id_of(0);
-        }
-        throw PaneRefusal(PaneRefusal::Reason::no_such_segment, fmt::format("no segment runs from {} to {}", path.front().text(), path.back().text()));
+        const auto segment = segment_along(pane, all);
+        if (!segment)
+            throw PaneRefusal(PaneRefusal::Reason::no_such_segment, fmt::format("no segment runs from {} to {}", path.front().text(), path.back().text()));
+        pane.unconstrain(*segment);
+        return id_of(0);
     });
 }
 

@@ -1,23 +1,20 @@
 #include "tile/tile_distance.h"
 
 #include "geom/ear_clipping.h"
-#include "geom/segments.h"
+#include "geom/triangle_distance.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace druse {
 
 namespace {
 
-using Facet = std::array<Point, 3>;
-
 /// Top, bottom and walls in triangles.
-std::vector<Facet> facets(const TileSolid& solid, const SolidPlace& place)
+std::vector<Triangle> facets(const TileSolid& solid, const SolidPlace& place)
 {
     const auto at = [&](const Point& p) { return Point(place.motion(Point2(p)), p.z + place.up); };
-    std::vector<Facet> list;
+    std::vector<Triangle> list;
     for (const HeightField* field : {&solid.top, &solid.bottom})
         for (const auto& t : field->triangles) list.push_back({at(field->points[t[0]]), at(field->points[t[1]]), at(field->points[t[2]])});
     std::vector<Point> wall;
@@ -37,46 +34,26 @@ std::vector<Facet> facets(const TileSolid& solid, const SolidPlace& place)
     return list;
 }
 
-double distance_to_facet(const Point& p, const Facet& f)
-{
-    const Vector normal = glm::cross(f[1] - f[0], f[2] - f[0]);
-    const double square = glm::dot(normal, normal);
-    if (square == 0) return 1e300;
-    for (std::size_t i = 0; i < 3; ++i)
-        if (glm::dot(glm::cross(f[(i + 1) % 3] - f[i], p - f[i]), normal) < 0) return 1e300; // nearest to a side, which others look at
-    return std::abs(glm::dot(p - f[0], normal)) / std::sqrt(square);
-}
-
-double facet_distance(const Facet& a, const Facet& b)
-{
-    double least = 1e300;
-    for (std::size_t i = 0; i < 3; ++i) {
-        least = std::min({least, distance_to_facet(a[i], b), distance_to_facet(b[i], a)});
-        for (std::size_t j = 0; j < 3; ++j) least = std::min(least, nearest_points(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]).distance);
-    }
-    return least;
-}
-
 } // namespace
 
 double distance(const TileSolid& a, const SolidPlace& place_a, const TileSolid& b, const SolidPlace& place_b, double reach)
 {
-    const std::vector<Facet> first = facets(a, place_a), second = facets(b, place_b);
-    const auto box_of = [](const Facet& f) {
+    const std::vector<Triangle> first = facets(a, place_a), second = facets(b, place_b);
+    const auto box_of = [](const Triangle& f) {
         FlatBox box;
         for (const Point& p : f) box.add(Point2(p));
         return box;
     };
     std::vector<FlatBox> boxes;
-    for (const Facet& f : second) boxes.push_back(box_of(f));
+    for (const Triangle& f : second) boxes.push_back(box_of(f));
     const FlatGrid grid(boxes);
     double least = reach;
-    for (const Facet& f : first)
+    for (const Triangle& f : first)
         grid.for_each(box_of(f).grown(least), [&](std::uint32_t i) {
-            const Facet& g = second[i];
+            const Triangle& g = second[i];
             const double under = std::min({f[0].z, f[1].z, f[2].z}) - std::max({g[0].z, g[1].z, g[2].z});
             const double over = std::min({g[0].z, g[1].z, g[2].z}) - std::max({f[0].z, f[1].z, f[2].z});
-            if (std::max(under, over) < least) least = std::min(least, facet_distance(f, g));
+            if (std::max(under, over) < least) least = std::min(least, triangle_distance(f, g));
         });
     return least;
 }
