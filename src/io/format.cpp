@@ -29,6 +29,7 @@ constexpr Format all_formats[] = {
     {"pane.json", "Pane", read_pane, write_pane},
     {"tile", "Escher tile", read_tile, write_tile},
     {"svg", "Drawing of a tiling", read_svg, write_svg},
+    {"dxf", "Tiling for a cutter", read_dxf, write_dxf},
 };
 
 std::string extensions()

@@ -3,6 +3,9 @@
 #include "io/byte_source.h"
 #include "io/model.h"
 #include "io/output_files.h"
+#include "tile/layered_tile.h"
+
+#include <vector>
 
 namespace druse {
 
@@ -13,11 +16,19 @@ Model read_tile(ByteSource& source);
 /// Writes the tile of a model, a line for each key; numbers are the shortest that read back as the same. @throws InputError if there is none
 void write_tile(const ModelView& model, OutputFiles& out);
 
+/// The copies that drawings of the flat tiling show, in their order.
+std::vector<TileCopy> drawn_copies(const LayeredTile& tile);
+
 /// Draws the flat tiling of the tile of a model: as many places of its lattice as its design says, in the colours of its type, in millimetres.
 /// @throws InputError if there is no tile
 void write_svg(const ModelView& model, OutputFiles& out);
 
+/// Draws the same tiling as lines for a cutter: DXF, Release 12, in millimetres. Outlines are on layer CUT, each piece once though two tiles have it; segments are
+/// on layer ENGRAVE. @throws InputError if there is no tile
+void write_dxf(const ModelView& model, OutputFiles& out);
+
 /// @throws InputError: drawings are for others to read
+Model read_dxf(ByteSource& source);
 Model read_svg(ByteSource& source);
 
 } // namespace druse

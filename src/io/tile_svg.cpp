@@ -33,6 +33,15 @@ std::string lines_text(const LayeredTile& tile)
 
 } // namespace
 
+std::vector<TileCopy> drawn_copies(const LayeredTile& tile)
+{
+    std::vector<TileCopy> copies;
+    for (int j = 0; j < tile.design().across[1]; ++j)
+        for (int i = 0; i < tile.design().across[0]; ++i)
+            for (int a = 0; a < tile.type().aspects(); ++a) copies.push_back({a, {i, j}});
+    return copies;
+}
+
 void write_svg(const ModelView& model, OutputFiles& out)
 {
     if (!model.tile) throw InputError(out.name(), "the document holds no tile to draw");
@@ -40,13 +49,10 @@ void write_svg(const ModelView& model, OutputFiles& out)
     const Isometry world = tile.to_world();
     std::vector<std::pair<TileCopy, Isometry>> copies;
     FlatBox box;
-    for (int j = 0; j < tile.design().across[1]; ++j)
-        for (int i = 0; i < tile.design().across[0]; ++i)
-            for (int a = 0; a < tile.type().aspects(); ++a) {
-                const TileCopy copy{a, {i, j}};
-                copies.emplace_back(copy, world * tile.motion(copy));
-                for (const OutlinePoint& p : tile.outline().points) box.add(copies.back().second(p.position));
-            }
+    for (const TileCopy& copy : drawn_copies(tile)) {
+        copies.emplace_back(copy, world * tile.motion(copy));
+        for (const OutlinePoint& p : tile.outline().points) box.add(copies.back().second(p.position));
+    }
     box = box.grown(margin * std::max(box.max.x - box.min.x, box.max.y - box.min.y));
     const Point2 size = box.max - box.min;
 
