@@ -17,6 +17,7 @@ const Registry& all_operators()
         register_graph(r);
         register_pane(r);
         register_tile(r);
+        register_tile_image(r);
         register_mesh(r);
         register_check(r);
         register_document(r);

@@ -54,6 +54,8 @@ void run_tile_check(Scene& scene, const TileCheckParameters& p, Context& context
     json["area"] = found.area;
     json["cell"] = found.cell;
     json["edge_mismatch"] = found.edge_mismatch;
+    json["solids"] = nlohmann::ordered_json::array();
+    for (const TilePart& part : found.parts) json["solids"].push_back({{"aspect", part.aspect}, {"member", part.member}, {"mirrored", part.mirrored}});
     if (const auto& solid = found.solid) {
         json["volume"] = solid->volume;
         json["volume_expected"] = solid->volume_expected;
@@ -64,9 +66,12 @@ void run_tile_check(Scene& scene, const TileCheckParameters& p, Context& context
         json["min_thickness"] = solid->thinnest.thickness;
         json["thinnest_at"] = {solid->thinnest.at.x, solid->thinnest.at.y};
         json["thick_enough"] = solid->thinnest.thickness >= p.min_thickness;
+        json["leaves"] = solid->leaves;
+        if (solid->leaves.empty()) context.note("tiles are locked: none leaves the stack");
         if (p.clearance > 0) {
             json["clearance"] = solid->clearance;
             json["volume_left"] = solid->volume_left;
+            json["area_lost"] = solid->lost;
         }
     }
     context.output = json.dump();
@@ -110,7 +115,7 @@ void register_tile(Registry& registry)
          {tile_new_operator, tile_type_operator, tile_frame_operator, tile_param_operator, tile_corner_operator, tile_edge_operator, tile_edge_add_operator,
           tile_edge_move_operator, tile_edge_remove_operator, tile_point_add_operator, tile_point_move_operator, tile_point_remove_operator,
           tile_constrain_operator, tile_unconstrain_operator, tile_refine_operator, tile_stack_operator, tile_extrude_operator, tile_height_operator,
-          tile_solid_operator, tile_assemble_operator, tile_check_operator})
+          tile_height_smooth_operator, tile_height_ridge_operator, tile_height_dome_operator, tile_solid_operator, tile_assemble_operator, tile_check_operator})
         registry.add(make());
 }
 

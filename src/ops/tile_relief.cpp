@@ -76,6 +76,7 @@ void run_tile_solid(Scene& scene, const TileSolidParameters& p, Context& context
     const TileSolid solid = make_solid(tile, p.bottom, aspect, p.clearance);
     look_at_thickness(solid.thinnest, p.min_thickness, context);
     if (p.bottom == TileBottom::flat) context.note("a flat bottom fills no space");
+    if (solid.lost > 0) context.note(fmt::format("the clearance cuts {:.6g} mm² off the outline, which hang on it by less than a joint", solid.lost));
     MeshBuilder builder;
     add_solid(builder, solid, {tile.to_world() * tile.aspects()[aspect], 0.0});
     put_mesh(scene, builder);

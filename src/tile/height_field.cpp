@@ -23,6 +23,16 @@ std::vector<FlatBox> boxes_of(const HeightField& field)
     return boxes;
 }
 
+struct Span {
+    double low, high;
+};
+
+Span heights(const HeightField& field, const Corners& t)
+{
+    const auto [low, high] = std::minmax({field.points[t[0]].z, field.points[t[1]].z, field.points[t[2]].z});
+    return {low, high};
+}
+
 double height(const HeightField& field, const Corners& t, const std::array<double, 3>& share)
 {
     return share[0] * field.points[t[0]].z + share[1] * field.points[t[1]].z + share[2] * field.points[t[2]].z;
@@ -99,8 +109,10 @@ Thinnest thinnest(const HeightField& top, const HeightField& bottom)
     const FlatGrid under(boxes_of(bottom));
     for (std::size_t i = 0; i < top.triangles.size(); ++i) {
         const Corners& t = top.triangles[i];
+        const double low = heights(top, t).low;
         under.for_each(over[i], [&](std::uint32_t k) {
             const Corners& s = bottom.triangles[k];
+            if (low - heights(bottom, s).high >= result.thickness) return; // they cannot come nearer
             const Point2 a(bottom.points[s[0]]), b(bottom.points[s[1]]), c(bottom.points[s[2]]);
             Clipped common;
             for (const std::uint32_t v : t) common.add(top.points[v]);

@@ -116,6 +116,8 @@ public:
     /// Sets the heights of points and of all in their orbits, or adds to them. Refused before extrude(): phase.
     void set_heights(std::span<const int> points, double height);
     void add_heights(std::span<const int> points, double by);
+    /// A height for each of the points; of those in one orbit, the first one given decides.
+    void set_heights(std::span<const int> points, std::span<const double> heights);
 
     /// How many places of the lattice a drawing of the tiling shows.
     void set_across(int x, int y) { design_.across = {x, y}; }

@@ -38,12 +38,17 @@ void LayeredTile::extrude(double thickness)
 
 void LayeredTile::set_heights(std::span<const int> points, double height)
 {
-    change_heights(points, [height](double) { return height; });
+    change_heights(points, [height](std::size_t, double) { return height; });
+}
+
+void LayeredTile::set_heights(std::span<const int> points, std::span<const double> heights)
+{
+    change_heights(points, [heights](std::size_t i, double) { return heights[i]; });
 }
 
 void LayeredTile::add_heights(std::span<const int> points, double by)
 {
-    change_heights(points, [by](double height) { return height + by; });
+    change_heights(points, [by](std::size_t, double height) { return height + by; });
 }
 
 /// Once for each orbit, however many of its points are given.
@@ -54,11 +59,12 @@ void LayeredTile::change_heights(std::span<const int> points, F&& f)
     std::vector<int> first(static_cast<std::size_t>(outline_.orbits), -1);
     for (int i = outline_count(); i-- > 0;) first[static_cast<std::size_t>(outline_.points[i].orbit)] = i;
     std::map<PointName, double> heights;
-    for (const int point : points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const int point = points[i];
         const int told_by = point < outline_count() ? first[static_cast<std::size_t>(outline_.points[point].orbit)] : point;
-        const double value = f(height(point));
+        const double value = f(i, height(point));
         if (!(std::abs(value) <= 1e100)) throw CommandError(fmt::format("height {}: numbers go to 1e100", value));
-        heights[name(told_by)] = value;
+        heights.try_emplace(name(told_by), value);
     }
     for (const auto& [name, value] : heights) {
         if (value != 0) design_.heights[name] = value;

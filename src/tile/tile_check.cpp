@@ -54,20 +54,46 @@ double bottom_mismatch(const LayeredTile& tile, const HeightField& bottom, int a
     return most;
 }
 
-/// The copies that a solid may come near: around it in its own layer, and above and below.
-double clearance_found(const LayeredTile& tile, const TileSolid& solid, double reach)
+/// The least distance of the solids from all that they may come near: around them in their own layer, and above and below. `solids` are by member.
+double clearance_found(const LayeredTile& tile, const std::vector<TileSolid>& solids, double reach)
 {
-    FlatBox box;
-    for (const OutlinePoint& p : tile.outline().points) box.add(p.position);
+    const auto members = stack_members(tile.aspects(), tile.lattice(), tile.design().stack);
+    const auto solid_of = [&](int aspect) -> const TileSolid& { return solids[static_cast<std::size_t>(members[static_cast<std::size_t>(aspect)])]; };
     const Isometry up = stack_motion(tile.design().stack);
     double least = reach;
-    for (int layer = -1; layer <= 1; ++layer) {
-        const Isometry carried = layer == 0 ? Isometry{} : layer > 0 ? up : inverse(up);
-        for (const TileCopy& copy : tile.copies_in(box.grown(reach), carried))
-            if (layer != 0 || !(copy == TileCopy{}))
-                least = std::min(least, distance(solid, {}, solid, {carried * tile.motion(copy), layer * tile.thickness()}, least));
+    for (int member = 0; member < static_cast<int>(solids.size()); ++member) {
+        const TileCopy own{aspect_of_member(tile, member), {}};
+        const Isometry here = tile.motion(own);
+        FlatBox box;
+        for (const OutlinePoint& p : tile.outline().points) box.add(here(p.position));
+        for (int layer = -1; layer <= 1; ++layer) {
+            const Isometry carried = layer == 0 ? Isometry{} : layer > 0 ? up : inverse(up);
+            for (const TileCopy& copy : tile.copies_in(box.grown(reach), carried))
+                if (layer != 0 || !(copy == own))
+                    least = std::min(least, distance(solid_of(own.aspect), {here, 0.0}, solid_of(copy.aspect), {carried * tile.motion(copy), layer * tile.thickness()}, least));
+        }
     }
     return least;
+}
+
+/// Which ways a tile that nothing lies upon can go, where it touches tiles around it and below it: those that lead into none of its walls and of its bottom.
+std::vector<std::array<int, 3>> leaving_directions(const LayeredTile& tile, const TileSolid& solid)
+{
+    std::vector<Vector> barred; // outward normals
+    for (int i = 0; i < tile.outline_count(); ++i) {
+        const Point2 along = tile.position(tile.outline().next(i)) - tile.position(i);
+        barred.push_back(unit(Vector(along.y, -along.x, 0)));
+    }
+    for (const auto& t : solid.bottom.triangles) {
+        const Point &a = solid.bottom.points[t[0]], &b = solid.bottom.points[t[1]], &c = solid.bottom.points[t[2]];
+        barred.push_back(unit(glm::cross(c - a, b - a), 0.0, Vector(0, 0, -1)));
+    }
+    std::vector<std::array<int, 3>> free;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                if ((x != 0 || y != 0 || z != 0) && std::ranges::none_of(barred, [&](const Vector& n) { return glm::dot(n, Vector(x, y, z)) > close; })) free.push_back({x, y, z});
+    return free;
 }
 
 } // namespace
@@ -87,6 +113,7 @@ TileCheck check(const LayeredTile& tile, double clearance)
     found.edge_mismatch = edge_mismatch(tile);
     require(std::abs(found.aspects * found.area - found.cell) <= close * found.cell, "the tiles of a cell have not its area");
     require(found.edge_mismatch <= close * size, "a piece of the outline is not that of the neighbour beyond it");
+    found.parts = tile_parts(tile);
     if (!tile.is_extruded()) return found;
 
     TileCheck::Solid& solid = found.solid.emplace();
@@ -119,12 +146,17 @@ TileCheck check(const LayeredTile& tile, double clearance)
     require(solid.bottom_mismatch <= 1e3 * close * steep, "the bottom is not the top of the layer below");
     require(solid.aspect_mismatch <= 1e3 * close * steep, "aspects have different bottoms");
     require(solid.thinnest.thickness > 0, fmt::format("top-under-bottom: {:.6g} at {:.6g},{:.6g}", solid.thinnest.thickness, solid.thinnest.at.x, solid.thinnest.at.y));
+    solid.leaves = leaving_directions(tile, *first);
     if (clearance > 0) {
-        const TileSolid thin = make_solid(tile, TileBottom::carved, 0, clearance);
-        solid.volume_left = volume(thin);
-        solid.clearance = is_free ? 0 : clearance_found(tile, thin, 2 * clearance);
-        require(is_free || solid.clearance >= clearance - 1e-6 * size, fmt::format("joints are {:.6g} wide, not {:.6g}", solid.clearance, clearance));
-        require(thin.thinnest.thickness > 0, "the clearance leaves no thickness");
+        std::vector<TileSolid> thin;
+        for (int m = 0; m < solid.members; ++m) {
+            thin.push_back(make_solid(tile, TileBottom::carved, aspect_of_member(tile, m), clearance));
+            solid.volume_left += volume(thin.back()) / solid.members;
+            solid.lost += thin.back().lost;
+            require(thin.back().thinnest.thickness > 0, "the clearance leaves no thickness");
+        }
+        solid.clearance = clearance_found(tile, thin, 2 * clearance);
+        require(solid.clearance >= clearance - 1e-6 * size, fmt::format("joints are {:.6g} wide, not {:.6g}", solid.clearance, clearance));
     }
     return found;
 }

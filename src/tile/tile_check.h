@@ -2,6 +2,7 @@
 
 #include "tile/tile_solid.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,15 +25,19 @@ struct TileCheck {
         int members = 1;             // different solids
         Thinnest thinnest;           // of all of them
         double clearance = 0;        // least distance from any neighbour, as far as twice what was asked for; 0: not asked for
-        double volume_left = 0;      // of the solid with clearance
+        double volume_left = 0;      // of the solids with clearance, on the average
+        double lost = 0;             // area that the clearance cuts off the outline, of all of them
+        std::vector<std::array<int, 3>> leaves; // the ways a tile of the uppermost layer can go at first; none: it is locked
     };
     std::optional<Solid> solid;
+    std::vector<TilePart> parts; // the different solids
 
     bool sound() const { return faults.empty(); }
 };
 
 /// Looks at all of it: the covering lemma (outline simple, each piece shared with exactly one copy, aspects · area = cell), the volume, the bottoms of all aspects against
-/// the layer below, the least thickness. With a clearance, the distance of the solid from all its neighbours too.
+/// the layer below, the least thickness, and which of the 26
+/// directions of a cube's sides, edges and corners no wall and no bottom bars. With a clearance, the distance of each different solid from all its neighbours too.
 TileCheck check(const LayeredTile& tile, double clearance = 0);
 
 } // namespace druse

@@ -76,11 +76,11 @@ public:
 
     /// The boundary of the largest piece that is gone round once or more often and lies inside a polygon, `by` from its sides: sides that have passed each
     /// other may go round a piece that does not.
-    std::vector<Point2> largest(std::span<const Point2> polygon, double by) const
+    Inset largest(std::span<const Point2> polygon, double by) const
     {
         const Triangulation& t = pane_.triangulation();
         std::vector<Index> piece(winding_.size(), Triangulation::none), waiting;
-        double best_area = 0;
+        double best_area = 0, all = 0; // twice as large
         Index best = Triangulation::none;
         for (Index first = 0; first < t.side_end(); first += 4) {
             if (!t.is_face(first) || winding_[first / 4] < 1 || piece[first / 4] != Triangulation::none) continue;
@@ -101,7 +101,9 @@ public:
                     waiting.push_back(next);
                 }
             }
-            if (counts && area > best_area) {
+            if (!counts) continue;
+            all += area;
+            if (area > best_area) {
                 best_area = area;
                 best = first;
             }
@@ -121,7 +123,7 @@ public:
             h = Triangulation::next(h);
             while (!is_rim(h)) h = Triangulation::next(t.twin(h));
         } while (h != start);
-        return rim;
+        return {std::move(rim), 0.5 * (all - best_area)};
     }
 
 private:
@@ -165,7 +167,7 @@ private:
 
 } // namespace
 
-std::vector<Point2> inset(std::span<const Point2> polygon, double by, double weld)
+Inset inset(std::span<const Point2> polygon, double by, double weld)
 {
     const std::vector<Point2> corners = moved_corners(polygon, by);
     FlatBox box;

@@ -38,17 +38,35 @@ double sixfold_volume(const HeightField& field)
     return sum;
 }
 
-/// Moves each point away from the other side so far that every triangle moves by `by` along its normal, or more.
-void part(HeightField& field, double by)
+/// The cosine of how steep a triangle is, where 75° is the steepest.
+double slope_cosine(const HeightField& field, const std::array<std::uint32_t, 3>& t)
 {
-    const double least = std::cos(75.0 * std::numbers::pi / 180.0);
-    std::vector<double> move(field.points.size(), by);
-    for (const auto& t : field.triangles) {
-        const Point &a = field.points[t[0]], &b = field.points[t[1]], &c = field.points[t[2]];
-        const Vector normal = unit(glm::cross(b - a, c - a), 0.0, Vector(0, 0, 1));
-        for (const std::uint32_t v : t) move[v] = std::max(std::abs(move[v]), std::abs(by) / std::max(normal.z, least)) * (by < 0 ? -1.0 : 1.0);
+    static const double least = std::cos(75.0 * std::numbers::pi / 180.0);
+    const Point &a = field.points[t[0]], &b = field.points[t[1]], &c = field.points[t[2]];
+    return std::max(unit(glm::cross(b - a, c - a), 0.0, Vector(0, 0, 1)).z, least);
+}
+
+/// Moves the points of a field, which was cut out of `whole`, up or down so far that it is `by` away from that everywhere: as far as the steepest triangle asks that
+/// lies within `by` of one of theirs. So what comes from the other side of the same relief is twice as far away.
+void part(HeightField& field, const HeightField& whole, double by, double direction)
+{
+    std::vector<FlatBox> boxes;
+    std::vector<double> cosine;
+    for (const auto& t : whole.triangles) {
+        FlatBox& box = boxes.emplace_back();
+        for (const std::uint32_t v : t) box.add(Point2(whole.points[v]));
+        cosine.push_back(slope_cosine(whole, t));
     }
-    for (std::size_t i = 0; i < move.size(); ++i) field.points[i].z += move[i];
+    const FlatGrid grid(boxes);
+    std::vector<double> least(field.points.size(), 1.0);
+    for (const auto& t : field.triangles) {
+        FlatBox box;
+        for (const std::uint32_t v : t) box.add(Point2(field.points[v]));
+        double steepest = slope_cosine(field, t);
+        grid.for_each(box.grown(by), [&](std::uint32_t i) { steepest = std::min(steepest, cosine[i]); });
+        for (const std::uint32_t v : t) least[v] = std::min(least[v], steepest);
+    }
+    for (std::size_t i = 0; i < least.size(); ++i) field.points[i].z += direction * by / least[i];
 }
 
 } // namespace
@@ -67,21 +85,42 @@ int aspect_of_member(const LayeredTile& tile, int member)
     return static_cast<int>(found - members.begin());
 }
 
+std::vector<TilePart> tile_parts(const LayeredTile& tile)
+{
+    const auto members = stack_members(tile.aspects(), tile.lattice(), tile.design().stack);
+    std::vector<TilePart> parts;
+    const auto add = [&](int aspect, int member, const Isometry& place) {
+        const bool mirrored = reflects(place);
+        const bool known = std::ranges::any_of(parts, [&](const TilePart& p) { return p.member == member && p.mirrored == mirrored; });
+        if (!known) parts.push_back({aspect, member, mirrored, place});
+    };
+    for (int layer = 0; layer < (tile.design().stack.mode == TileStack::Mode::mirror ? 2 : 1); ++layer)
+        for (int a = 0; a < tile.type().aspects(); ++a) {
+            const Isometry& aspect = tile.aspects()[static_cast<std::size_t>(a)];
+            add(a, members[static_cast<std::size_t>(a)], layer == 0 ? aspect : stack_motion(tile.design().stack) * aspect);
+        }
+    return parts;
+}
+
 TileSolid make_solid(const LayeredTile& tile, TileBottom bottom, int aspect, double clearance)
 {
     if (!tile.is_extruded()) throw TileRefusal(TileRefusal::Reason::phase, "a solid comes after tile.extrude");
     if (aspect < 0 || aspect >= tile.type().aspects()) throw CommandError(fmt::format("aspect={}: {} has {} aspects, from 0 on", aspect, tile.type().name(), tile.type().aspects()));
     TileSolid solid;
     const auto below = inverse(stack_motion(tile.design().stack) * tile.aspects()[aspect]);
+    HeightField whole_bottom;
     if (clearance > 0) {
-        const std::vector<Point2> cutter = inset(tile.outline().positions(), 0.5 * clearance, tile.weld());
+        const auto [cutter, lost] = inset(tile.outline().positions(), 0.5 * clearance, tile.weld());
+        solid.lost = lost;
         if (cutter.empty()) throw TileRefusal(TileRefusal::Reason::vanishes, fmt::format("clearance {} leaves nothing of the tile", clearance));
         Carving top = carve(tile, cutter, {});
         solid.top = std::move(top.field);
         solid.top_rim = std::move(top.rim);
-        Carving under = carve(tile, cutter, bottom == TileBottom::carved ? below : Isometry{});
+        const bool is_carved = bottom == TileBottom::carved;
+        Carving under = carve(tile, cutter, is_carved ? below : Isometry{});
         solid.bottom = std::move(under.field);
         solid.bottom_rim = std::move(under.rim);
+        whole_bottom = is_carved ? carve(tile, tile.outline().positions(), below).field : tile.surface();
     } else {
         solid.top = tile.surface();
         solid.top_rim = plain_rim(static_cast<std::uint32_t>(tile.outline_count()));
@@ -94,13 +133,13 @@ TileSolid make_solid(const LayeredTile& tile, TileBottom bottom, int aspect, dou
             solid.bottom_rim = solid.top_rim;
         }
     }
-    if (bottom == TileBottom::flat)
-        for (Point& p : solid.bottom.points) p.z = 0;
-    raise(solid.top, tile.thickness());
     if (clearance > 0) {
-        part(solid.top, -0.5 * clearance);
-        part(solid.bottom, 0.5 * clearance);
+        part(solid.top, tile.surface(), 0.5 * clearance, -1);
+        part(solid.bottom, whole_bottom, 0.5 * clearance, 1);
     }
+    if (bottom == TileBottom::flat)
+        for (Point& p : solid.bottom.points) p.z = 0.5 * clearance;
+    raise(solid.top, tile.thickness());
     solid.thinnest = thinnest(solid.top, solid.bottom);
     return solid;
 }

@@ -19,6 +19,7 @@ struct TileSolid {
     HeightField top, bottom;
     std::vector<std::vector<std::uint32_t>> top_rim, bottom_rim; // over and below each side of the polygon, both corners among them
     Thinnest thinnest;
+    double lost = 0; // area of what a clearance cuts off the outline: pieces that hang on it by less than a joint
 
     std::size_t vertices() const { return top.points.size() + bottom.points.size(); }
     std::size_t faces() const { return top.triangles.size() + bottom.triangles.size() + top_rim.size(); }
@@ -27,6 +28,16 @@ struct TileSolid {
 /// The aspect that stands for a solid of the stack: of a free stack, the first one with that member. @throws CommandError where there is none
 int aspect_of_member(const LayeredTile& tile, int member);
 int member_count(const LayeredTile& tile);
+
+/// One of the different solids that a stack is built from.
+struct TilePart {
+    int aspect = 0, member = 0; // with which make_solid() makes it
+    bool mirrored = false;      // the mirror image of the proto-tile, or of that member's other part
+    Isometry place;             // of one tile that looks so, in the tile frame
+};
+
+/// All of them, the proto-tile first: one for each member of a free stack, and the mirror images where aspects or layers are reflections.
+std::vector<TilePart> tile_parts(const LayeredTile& tile);
 
 /// The solid of the tile in an aspect, moved back into the tile frame. It may be pierced: see thinnest.
 /// With a clearance, joints between solids are that wide, half of it taken from each: the outline shrinks, and top and bottom move apart; steeper than 75° counts

@@ -79,22 +79,33 @@ private:
     }
 };
 
-/// The point of the lattice nearest to v, where the basis is reduced.
-Point2 nearest_of(const std::array<Point2, 2>& basis, const Point2& v)
-{
-    const Point2 c = lattice_coordinates(basis, v), about(std::round(c.x), std::round(c.y));
-    Point2 best(0.0);
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j) {
-            const Point2 p = combine(basis, about + Point2(i, j));
-            if (const double distance = glm::length(v - p); distance < least) {
-                least = distance;
-                best = p;
-            }
-        }
-    return best;
-}
+/// The offset nearest to one that is asked for; of several that are as near, that which goes farthest the same way, then to the right, then up.
+class NearestOffset {
+public:
+    NearestOffset(const Point2& wanted, double tie) : wanted_(wanted), tie_(tie) {}
+
+    void look_at(const Point2& p)
+    {
+        const double distance = glm::length(wanted_ - p);
+        if (distance > least_ + tie_) return;
+        if (distance > least_ - tie_ && !goes_farther(p)) return;
+        least_ = distance;
+        best_ = p;
+    }
+    const Point2& best() const { return best_; }
+
+private:
+    bool goes_farther(const Point2& p) const
+    {
+        const double along = glm::dot(p - best_, wanted_) / std::max(glm::length(wanted_), tie_);
+        if (std::abs(along) > tie_) return along > 0;
+        if (std::abs(p.x - best_.x) > tie_) return p.x > best_.x;
+        return p.y > best_.y + tie_;
+    }
+
+    Point2 wanted_, best_{0.0};
+    double tie_, least_ = std::numeric_limits<double>::infinity();
+};
 
 std::array<Point2, 2> shortest_basis(std::array<Point2, 2> basis)
 {
@@ -182,25 +193,22 @@ IsohedralOffsets::IsohedralOffsets(std::span<const Isometry> aspects, const std:
 Point2 IsohedralOffsets::nearest(const Point2& offset) const
 {
     if (freedom_ == 2) return offset;
-    Point2 best(0.0);
-    double least = std::numeric_limits<double>::infinity();
+    NearestOffset nearest(offset, near_whole * glm::length(basis_[1]));
     for (const Point2& start : starts_) {
-        Point2 candidate;
         if (freedom_ == 0) {
-            candidate = start + nearest_of(basis_, offset - start);
+            // One of the points of the lattice around, as its basis is reduced.
+            const Point2 c = lattice_coordinates(basis_, offset - start), about(std::round(c.x), std::round(c.y));
+            for (int i = -1; i <= 1; ++i)
+                for (int j = -1; j <= 1; ++j) nearest.look_at(start + combine(basis_, about + Point2(i, j)));
         } else {
-            // On the nearest of the lines that the lattice makes of this one.
+            // On one of the lines that the lattice makes of this one.
             const Point2 along = glm::normalize(basis_[1]), across(-along.y, along.x);
-            const double period = glm::dot(basis_[0], across);
-            const double times = std::round(glm::dot(offset - start, across) / period);
-            candidate = start + times * period * across + glm::dot(offset - start, along) * along;
-        }
-        if (const double distance = glm::length(offset - candidate); distance < least) {
-            least = distance;
-            best = candidate;
+            const double period = glm::dot(basis_[0], across), times = glm::dot(offset - start, across) / period;
+            for (const double line : {std::floor(times), std::ceil(times)})
+                nearest.look_at(start + line * period * across + glm::dot(offset - start, along) * along);
         }
     }
-    return best;
+    return nearest.best();
 }
 
 std::string not_isohedral_text(const std::string& type, std::span<const Isometry> aspects, const std::array<Point2, 2>& lattice, const TileStack& stack)

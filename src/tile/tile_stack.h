@@ -29,7 +29,7 @@ public:
     bool any() const { return any_; } // false: no offset does
     int freedom() const { return freedom_; } // 2: all offsets do, 1: all along some lines, 0: some points
     int classes() const { return static_cast<int>(starts_.size()); } // modulo the lattice and the free direction
-    /// Precondition: any().
+    /// The nearest of them; of several that are as near, that which goes farthest the way of `offset`. Precondition: any().
     Point2 nearest(const Point2& offset) const;
 
 private:

@@ -10,7 +10,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace druse {
 namespace {
@@ -62,7 +64,7 @@ TEST(TileInDocument, RefusesWhatWouldFillNoSpaceAndStaysAsItWas)
     struct Case {
         const char *type, *command, *complaint;
     };
-    for (const Case& c : {Case{"IH79", "tile.stack mode=shift offset=5,5", "tile.stack: offset-not-isohedral: offset 5,5 of IH79: the nearest that is isohedral is"},
+    for (const Case& c : {Case{"IH79", "tile.stack mode=shift offset=5,5", "tile.stack: offset-not-isohedral: offset 5,5 of IH79: the nearest that is isohedral is 10,10"},
                           Case{"IH31", "tile.stack mode=shift offset=10,0", "tile.stack: offset-not-isohedral: offset 10,0 of IH31: the nearest that is isohedral is 0,0"},
                           Case{"IH79", "tile.edge path=0 points=0.2,0.9,0.8,-0.9", "tile.edge: boundary-crosses"},
                           Case{"IH79", "tile.edge path=1 points=0.7,0.1", "tile.edge: half-path"},
@@ -133,6 +135,47 @@ TEST(TileFile, ComesBackToTheByte)
     EXPECT_EQ(saved(opened(folder.path() / "c.tile"), folder, "d.tile"), other);
 
     EXPECT_EQ(saved(document, folder, "e.svg").substr(0, 4), "<svg");
+}
+
+TEST(TileFile, HasItsFirstBytesAgainWhenEverythingIsUndone)
+{
+    const Folder folder;
+    Document document = quad();
+    const std::string first = saved(document, folder, "a.tile");
+    const std::vector<const char*> commands{"tile.edge_add at=5,5.5", "tile.edge_move point=e0:1 uv=0.2,0.1", "tile.point_add at=9,6", "tile.constrain from=i0 to=i1", "tile.refine max_area=4",
+                                            "tile.height_dome height=1", "tile.height_ridge path=i0,i1 height=-0.3 width=1", "tile.height_smooth times=3",
+                                            "tile.stack mode=mirror axis=45", "tile.extrude thickness=7", "tile.assemble layers=1", "tile.frame size=30 rotation=10"};
+    for (const char* command : commands) EXPECT_EQ(complaint(document, command), "") << command;
+    EXPECT_NE(saved(document, folder, "b.tile"), first);
+    document.apply("document.undo steps=" + std::to_string(commands.size()));
+    EXPECT_EQ(saved(document, folder, "c.tile"), first);
+}
+
+TEST(TileRelief, IsShapedByToolsAndByPictures)
+{
+    Document document = with_tile({"tile.new type=IH41 size=10", "tile.refine max_area=2"});
+    EXPECT_TRUE(complaint(document, "tile.height_dome").starts_with("tile.height_dome: phase"));
+    const std::string picture = std::string("image=") + DRUSE_MODELS + "/ripples.png";
+    EXPECT_TRUE(complaint(document, "tile.height_image " + picture).starts_with("tile.height_image: phase"));
+    document.apply("tile.extrude thickness=4");
+    const auto heights = [&] {
+        std::vector<double> all;
+        for (int i = 0; i < tile_in(document).point_count(); ++i) all.push_back(tile_in(document).height(i));
+        return all;
+    };
+    document.apply("tile.height_image low=1 high=3 " + picture);
+    const std::vector<double> waves = heights();
+    EXPECT_GE(std::ranges::min(waves), 1.0);
+    EXPECT_LE(std::ranges::max(waves), 3.0);
+    EXPECT_GT(std::ranges::max(waves) - std::ranges::min(waves), 0.5);
+    document.apply("tile.height_smooth times=200 amount=1");
+    EXPECT_LT(std::ranges::max(heights()) - std::ranges::min(heights()), 0.5 * (std::ranges::max(waves) - std::ranges::min(waves)));
+    document.apply("tile.height_ridge line=2,2,8,8 height=1 width=3 points=interior");
+    document.apply("tile.solid min_thickness=0.1");
+    EXPECT_NEAR(volume(document.scene().mesh), 400, 1e-9);
+    EXPECT_EQ(document.apply("tile.height_ridge line=5.0123,4.9871 width=1e-6").notes.size(), 1u);
+    EXPECT_TRUE(complaint(document, "tile.height_image image=none.png").find("none.png: no such file") != std::string::npos);
+    EXPECT_NE(complaint(document, std::string("tile.height_image image=") + DRUSE_MODELS + "/cube.obj"), "");
 }
 
 TEST(TileFile, SaysLineAndKeyOfWhatIsWrong)

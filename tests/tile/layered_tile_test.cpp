@@ -25,7 +25,7 @@ TEST_P(ReferenceTile, HasTheCountsVolumeAndThicknessOfExactArithmetic)
     EXPECT_EQ(disk_counts(tile.surface()), r.top);
     const TileSolid solid = make_solid(tile);
     EXPECT_EQ(disk_counts(solid.bottom), r.bottom);
-    EXPECT_NEAR(solid.thinnest.thickness, r.thinnest, 1e-6);
+    EXPECT_NEAR(solid.thinnest.thickness, r.thinnest, 1e-9);
     EXPECT_NEAR(volume(solid), r.volume, 1e-9 * r.volume);
 
     const Mesh mesh = mesh_of(solid);
@@ -83,13 +83,16 @@ TEST(LayeredTile, WithCurvedPathsHasTheOutlinesAndOrbitsOfTheirSymbols)
 TEST(Inset, OfASquareIsASquareUntilNothingIsLeft)
 {
     const std::vector<Point2> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-    const std::vector<Point2> smaller = inset(square, 2, 1e-8);
-    EXPECT_EQ(smaller.size(), 4u);
-    EXPECT_NEAR(twice_area(smaller), 72, 1e-9);
-    EXPECT_TRUE(inset(square, 6, 1e-8).empty());
-    // Two rooms with a door: the larger one is left.
+    const Inset smaller = inset(square, 2, 1e-8);
+    EXPECT_EQ(smaller.polygon.size(), 4u);
+    EXPECT_NEAR(twice_area(smaller.polygon), 72, 1e-9);
+    EXPECT_EQ(smaller.lost, 0);
+    EXPECT_TRUE(inset(square, 6, 1e-8).polygon.empty());
+    // Two rooms with a door: the larger one is left, and of the other, which is 6 by 6, what it would have left is lost.
     const std::vector<Point2> rooms{{0, 0}, {10, 0}, {10, 4.5}, {11, 4.5}, {11, 2}, {17, 2}, {17, 8}, {11, 8}, {11, 5.5}, {10, 5.5}, {10, 10}, {0, 10}};
-    EXPECT_NEAR(twice_area(inset(rooms, 1, 1e-8)), 128, 1e-9);
+    const Inset room = inset(rooms, 1, 1e-8);
+    EXPECT_NEAR(twice_area(room.polygon), 128, 1e-9);
+    EXPECT_NEAR(room.lost, 16, 1e-9);
 }
 
 } // namespace
