@@ -51,3 +51,10 @@ for figure in strut_11_helix strut_11_helix_7; do draw "$figure" --size 480x460 
 for figure in strut_12_swirl_5 strut_12_swirl_7; do draw "$figure" --size 480x420 --view 20,50; done
 draw strut_13_knotted_kelp --size 560x500 --view 30,60
 for figure in strut_15_icosa_lace strut_15_dodeca_lace; do draw "$figure" --size 420x400 --view 20,20; done
+draw tile_bird --size 720x580 --groups --view 15,72
+draw tile_bird_layers --size 760x560 --groups --view 4,48
+draw tile_bird_bottom --size 640x460 --groups --view 0,-62
+draw tile_fish --size 560x520 --groups --view 0,78
+draw tile_fish_layers --size 720x520 --groups --view 20,42
+draw tile_whale --size 560x520 --groups --view 0,78
+draw tile_whale_layers --size 640x500 --groups --view 50,40

@@ -137,5 +137,47 @@ TEST(Printable, IsARindInEveryState)
     }
 }
 
+TEST(Printable, IsTheTileOfTheExample)
+{
+    const Folder folder;
+    const Ended ended = druse({"apply",
+                               "-c", "tile.new type=IH79 size=20", "-c", "tile.edge path=0 points=0.333,0.125,0.667,-0.125", "-c", "tile.edge path=1 points=0.25,0.1", "-c", "tile.point_add at=10,4",
+                               "-c", "tile.stack mode=shift offset=10,10", "-c", "tile.extrude thickness=5", "-c", "tile.height points=i0 set=2", "-c", "tile.height points=m1 add=0.5", "-c", "tile.solid",
+                               "-o", "quad.stl", "-o", "quad.tile", "-o", "quad.obj"},
+                              folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const Json solid = facts_of(folder, "quad.obj");
+    EXPECT_EQ(solid["vertices"], 27);
+    EXPECT_EQ(solid["edges"], 61);
+    EXPECT_EQ(solid["faces"], 36);
+    EXPECT_NEAR(double(solid["volume"]), 500, 1e-6);
+    const Json tile = facts_of(folder, "quad.tile");
+    EXPECT_EQ(tile["type"], "IH79");
+    EXPECT_EQ(tile["vertices"], 11);
+    EXPECT_EQ(tile["faces"], 10);
+    EXPECT_EQ(tile["boundary_edges"], 10);
+    EXPECT_EQ(tile["orbits"], 6);
+    EXPECT_EQ(tile["aspects"], 4);
+    EXPECT_NEAR(double(tile["area"]), 100, 1e-9);
+    EXPECT_NEAR(double(tile["volume_expected"]), 500, 1e-9);
+    EXPECT_NEAR(double(tile["min_thickness"]), 3.115819, 1e-6);
+    expect_good_stl(folder, "quad.stl", 1, 500);
+}
+
+TEST(Printable, AreTheTilesOfTheGallery)
+{
+    const Folder folder;
+    for (const auto& [name, tiles] : std::map<std::string, int>{{"bird", 4}, {"fish", 16}, {"whale", 24}}) {
+        SCOPED_TRACE(name);
+        Ended ended = druse({"apply", std::string(DRUSE_MODELS) + "/" + name + ".tile", "-c", "tile.solid", "-o", "one.stl"}, folder.path());
+        ASSERT_EQ(ended.status, 0) << ended.err;
+        const double one = facts_of(folder, std::string(DRUSE_MODELS) + "/" + name + ".tile")["volume_expected"];
+        expect_good_stl(folder, "one.stl", 1, one);
+        ended = druse({"apply", std::string(DRUSE_MODELS) + "/" + name + ".tile", "-c", "tile.assemble nx=2 ny=2 layers=3 clearance=0.3", "-o", "all.stl"}, folder.path());
+        ASSERT_EQ(ended.status, 0) << ended.err;
+        expect_good_stl(folder, "all.stl", 3 * tiles, volume_of(folder, "all.stl"));
+    }
+}
+
 } // namespace
 } // namespace druse
