@@ -26,7 +26,7 @@ LIBRARIES = [
     (re.compile(r"(GL|KHR|GLES\d?|EGL)/"), {"render", "ui"}, "OpenGL"),
     (re.compile(r"X11/"), {"ui"}, "X11"),
     (re.compile(r"CGAL/"), {"geom"}, "CGAL"),
-    (re.compile(r"png(conf)?\.h"), {"render"}, "libpng"),
+    (re.compile(r"png(conf)?\.h"), {"io", "render"}, "libpng"),
     (re.compile(r"CLI/"), {"cli"}, "CLI11"),
 ]
 
