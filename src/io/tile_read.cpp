@@ -2,13 +2,14 @@
 
 #include "dlfl/errors.h"
 #include "io/text_walk.h"
-#include "tile/layered_tile.h"
+#include "tile/tile_look.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -129,6 +130,7 @@ public:
         }
         read_heights(design);
         read_stack(design);
+        check_view();
         design.kept = kept().dump();
         return made(std::move(design));
     }
@@ -284,6 +286,36 @@ private:
         if (design.stack.mode == TileStack::Mode::column) return;
         if (stack.contains("offset")) design.stack.offset = pair(stack["offset"], "stack.offset");
         if (design.stack.mode == TileStack::Mode::mirror) design.stack.axis = number_at(stack, "axis", "stack.axis", 0.0);
+    }
+
+    /// How it is drawn stays in what is kept. The picture itself is not looked at: a tile whose picture is gone is a tile still.
+    void check_view()
+    {
+        if (!json_.contains("view")) return;
+        TileJson& view = json_["view"];
+        if (!view.is_object()) fail("view", "expected an object");
+        if (view.contains("trace")) check_trace_at(view["trace"]);
+        if (!view.contains("colors")) return;
+        const TileJson& list = view["colors"];
+        if (!list.is_array() || list.size() != TileLook().colours.size()) fail("view.colors", "expected 3 colours");
+        for (std::size_t i = 0; i < list.size(); ++i)
+            if (!list[i].is_string() || !colour_from_hex(list[i].get<std::string>())) fail(fmt::format("view.colors[{}]", i), "expected a colour as \"#cc3333\"");
+    }
+
+    /// Within the program the picture has its full name.
+    void check_trace_at(TileJson& j)
+    {
+        TileTrace trace;
+        if (!j.is_object()) fail("view.trace", "expected an object");
+        if (!j.contains("image") || !j["image"].is_string()) fail("view.trace.image", "expected a name of a file");
+        j["image"] = (std::filesystem::absolute(file_).parent_path() / j["image"].get<std::string>()).lexically_normal().string();
+        const double opacity = number_at(j, "opacity", "view.trace.opacity", trace.opacity);
+        if (!(opacity >= 0 && opacity <= 1)) fail("view.trace.opacity", "expected 0 to 1");
+        if (!j.contains("place")) return;
+        const TileJson& place = j["place"];
+        if (!place.is_array() || place.size() != trace.place.size()) fail("view.trace.place", "expected 6 numbers");
+        for (std::size_t i = 0; i < place.size(); ++i) trace.place[i] = number(place[i], fmt::format("view.trace.place[{}]", i));
+        at("view.trace.place", [&] { check_trace(trace); });
     }
 
     /// The file without what the tile tells, but for the order of its keys.

@@ -2,11 +2,10 @@
 
 #include "dlfl/errors.h"
 #include "geom/colour.h"
-#include "tile/layered_tile.h"
+#include "tile/tile_look.h"
 
 #include <fmt/format.h>
 
-#include <array>
 
 namespace druse {
 
@@ -14,7 +13,6 @@ namespace {
 
 constexpr double margin = 0.02;     // of the longer side, on all sides
 constexpr double line_width = 0.01; // of the square root of a tile's area
-constexpr std::array<Colour, 3> tiling_colours{Colour{204, 51, 51}, Colour{238, 238, 238}, Colour{51, 102, 204}};
 
 std::string path_text(const LayeredTile& tile)
 {
@@ -46,6 +44,7 @@ void write_svg(const ModelView& model, OutputFiles& out)
 {
     if (!model.tile) throw InputError(out.name(), "the document holds no tile to draw");
     const LayeredTile& tile = *model.tile;
+    const TileLook drawn = look(tile.design());
     const Isometry world = tile.to_world();
     std::vector<std::pair<TileCopy, Isometry>> copies;
     FlatBox box;
@@ -65,7 +64,7 @@ void write_svg(const ModelView& model, OutputFiles& out)
     for (const auto& [copy, m] : copies) {
         const int colour = tile.type().colours.of(copy.aspect, copy.shift.i, copy.shift.j);
         const std::string place = fmt::format("matrix({:.12g} {:.12g} {:.12g} {:.12g} {:.12g} {:.12g})", m.x.x, -m.x.y, m.y.x, -m.y.y, m.shift.x, -m.shift.y);
-        sink.put(fmt::format("<use href=\"#tile\" transform=\"{}\" fill=\"{}\"/>\n", place, to_hex(tiling_colours[static_cast<std::size_t>(colour)])));
+        sink.put(fmt::format("<use href=\"#tile\" transform=\"{}\" fill=\"{}\"/>\n", place, to_hex(drawn.colours[static_cast<std::size_t>(colour)])));
         if (!tile.design().segments.empty()) sink.put(fmt::format("<use href=\"#lines\" transform=\"{}\"/>\n", place));
     }
     sink.put("</g>\n</svg>\n");

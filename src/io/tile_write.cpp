@@ -1,12 +1,13 @@
 #include "io/tile_file.h"
 
 #include "dlfl/errors.h"
-#include "tile/layered_tile.h"
+#include "tile/tile_look.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 namespace druse {
@@ -32,7 +33,15 @@ TileJson& object_in(TileJson& parent, const char* key)
     return value;
 }
 
-TileJson json_of(const LayeredTile& tile)
+/// A file beside the one that is written is named from there, so that both can be moved together.
+std::string beside(const std::string& file, const std::string& written)
+{
+    namespace fs = std::filesystem;
+    const fs::path name = fs::path(file).lexically_proximate(fs::absolute(written).lexically_normal().parent_path());
+    return name.begin() == name.end() || *name.begin() == ".." ? file : name.generic_string();
+}
+
+TileJson json_of(const LayeredTile& tile, const std::string& written)
 {
     const TileDesign& design = tile.design();
     TileJson j = design.kept.empty() ? TileJson::object() : TileJson::parse(design.kept);
@@ -70,6 +79,7 @@ TileJson json_of(const LayeredTile& tile)
     else stack["offset"] = pair_json(design.stack.offset);
     if (design.stack.mode == TileStack::Mode::mirror) stack["axis"] = design.stack.axis;
     else stack.erase("axis");
+    if (const TileLook drawn = look(design); drawn.trace) j["view"]["trace"]["image"] = beside(drawn.trace->image, written);
     return j;
 }
 
@@ -116,7 +126,7 @@ void write_tile(const ModelView& model, OutputFiles& out)
     if (!model.tile) throw InputError(out.name(), "the document holds no tile to write");
     ByteSink& sink = out.main();
     const char* before = "{ ";
-    const TileJson tree = json_of(*model.tile);
+    const TileJson tree = json_of(*model.tile, out.name());
     for (const auto& [key, value] : tree.items()) {
         sink.put(before);
         sink.put(TileJson(key).dump());

@@ -115,7 +115,8 @@ void register_tile(Registry& registry)
          {tile_new_operator, tile_type_operator, tile_frame_operator, tile_param_operator, tile_corner_operator, tile_edge_operator, tile_edge_add_operator,
           tile_edge_move_operator, tile_edge_remove_operator, tile_point_add_operator, tile_point_move_operator, tile_point_remove_operator,
           tile_constrain_operator, tile_unconstrain_operator, tile_refine_operator, tile_stack_operator, tile_extrude_operator, tile_height_operator,
-          tile_height_smooth_operator, tile_height_ridge_operator, tile_height_dome_operator, tile_solid_operator, tile_assemble_operator, tile_check_operator})
+          tile_height_smooth_operator, tile_height_ridge_operator, tile_height_dome_operator, tile_solid_operator, tile_assemble_operator, tile_trace_operator,
+          tile_colors_operator, tile_check_operator})
         registry.add(make());
 }
 

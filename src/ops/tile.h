@@ -44,6 +44,8 @@ Operator tile_height_ridge_operator();
 Operator tile_height_dome_operator();
 Operator tile_solid_operator();
 Operator tile_assemble_operator();
+Operator tile_trace_operator();
+Operator tile_colors_operator();
 Operator tile_check_operator();
 
 } // namespace druse

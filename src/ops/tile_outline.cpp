@@ -1,6 +1,7 @@
 // Operators on the frame and the outline of a tile.
 #include "ops/tile.h"
 #include "ops/tile_parameters.h"
+#include "tile/tile_look.h"
 
 #include <optional>
 
@@ -90,7 +91,12 @@ Operator tile_frame_operator()
         .run([](Scene& scene, const P& p, Context& context) {
             edit_tile(scene, context, [&](LayeredTile& tile) {
                 const TileDesign& now = tile.design();
-                tile.set_frame(p.size.value_or(now.size), p.rotation.value_or(now.rotation), p.origin.value_or(now.origin));
+                const double size = p.size.value_or(now.size), factor = size / now.size;
+                tile.set_frame(size, p.rotation.value_or(now.rotation), p.origin.value_or(now.origin));
+                TileLook drawn = look(tile.design());
+                if (!drawn.trace || factor == 1) return;
+                for (double& x : drawn.trace->place) x *= factor; // the picture stays where it is seen on the tile
+                tile = with_look(tile, drawn);
             });
         });
 }
