@@ -23,14 +23,6 @@ std::uint64_t next_version()
     return ++last;
 }
 
-/// The middle of the box on a grid as coarse as the box: near enough for single precision, and the same for a model that changed
-/// a little. For a model about the origin it is the origin.
-Point origin_for(const Box& box)
-{
-    const double cell = box.empty() || box.diagonal() == 0 ? 1.0 : std::exp2(std::ceil(std::log2(box.diagonal())));
-    return glm::round(box.center() / cell) * cell;
-}
-
 } // namespace
 
 std::uint32_t pack_normal(const Vector& n)
@@ -47,6 +39,14 @@ Division::Division(const Mesh& old, std::vector<std::uint32_t> faces, std::span<
 }
 
 // --- building ---------------------------------------------------------------------------------------------------------------
+
+/// The middle of the box on a grid as coarse as the box: near enough for single precision, and the same for a model that changed
+/// a little. For a model about the origin it is the origin.
+Point DrawLists::origin_for(const Box& box)
+{
+    const double cell = box.empty() || box.diagonal() == 0 ? 1.0 : std::exp2(std::ceil(std::log2(box.diagonal())));
+    return glm::round(box.center() / cell) * cell;
+}
 
 void DrawLists::clear(const Box& box)
 {

@@ -83,6 +83,10 @@ public:
     /// Precondition: `delta` lists at least all that changed since the last build() or update().
     void update(const Mesh& mesh, const MeshDelta& delta, const GroupColours& colours);
 
+    /// The same of lines: only what is elsewhere is put again. What shows faces, or lies far away from where it was, is built anew.
+    /// Cost: one look at each vertex and line.
+    void update(const Graph& graph);
+
     /// Groups and colours of all faces again; nothing else may have changed. Cost: one look at each triangle.
     void recolour(const Mesh& mesh, const GroupColours& colours);
     void recolour(const std::function<int(Face)>& group_of, const GroupColours& colours);
@@ -144,6 +148,7 @@ public:
     std::span<const std::uint64_t> edge_versions() const { return edge_versions_; }
 
 private:
+    static Point origin_for(const Box& box);
     void clear(const Box& box);
     void build(const Mesh& mesh, const GroupColours& colours, const Division* division);
     void new_version();

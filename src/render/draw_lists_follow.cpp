@@ -12,6 +12,53 @@ constexpr std::uint32_t left_over = 4096; // elements left behind that a small m
 
 } // namespace
 
+void DrawLists::update(const Graph& graph)
+{
+    Box box;
+    for (const Point& p : graph.vertices) box.add(p);
+    if (id_ == 0 || face_triangles_.size() > 0 || is_divided_ || origin_for(box) != origin_) {
+        build(graph);
+        return;
+    }
+    new_version();
+    shape_version_ = version_;
+    const auto vertices = static_cast<std::uint32_t>(graph.vertices.size()), edges = static_cast<std::uint32_t>(graph.edges.size());
+    if (vertices < positions_.size()) {
+        positions_.truncate(vertices);
+        newest_.truncate(vertices);
+        draw_vertices_.truncate(vertices); // one for each vertex
+        vertex_of_.truncate(vertices);
+        next_copy_.truncate(vertices);
+        vertex_versions_.resize((vertices >> block_bits) + 1, version_);
+    }
+    for (std::uint32_t v = 0; v < vertices; ++v) {
+        const Point& p = graph.vertices[v];
+        if (v >= positions_.size()) {
+            positions_.push_back(p);
+            newest_.push_back(none);
+            copy_vertex(v);
+        } else if (positions_[v] != p) {
+            positions_.set(v, p);
+            const Vector q = p - origin_;
+            draw_vertices_.set(v, {float(q.x), float(q.y), float(q.z), 0, 0});
+            touch(vertex_versions_, v);
+        }
+    }
+    edge_sum_ = 0;
+    if (edges < edge_ends_.size()) edge_ends_.truncate(edges);
+    edge_versions_.resize((edges >> block_bits) + 1, version_);
+    for (std::uint32_t e = 0; e < edges; ++e) {
+        const auto& [a, b] = graph.edges[e];
+        edge_sum_ += glm::distance(graph.vertices[a], graph.vertices[b]);
+        if (e >= edge_ends_.size()) edge_ends_.push_back({a, b});
+        else if (edge_ends_[e] != std::array{a, b}) edge_ends_.set(e, {a, b});
+        else continue;
+        touch(edge_versions_, e);
+    }
+    mean_edge_ = edges == 0 ? 0.0 : edge_sum_ / double(edges);
+    bounds_ = reach_ = box;
+}
+
 void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColours& colours)
 {
     const std::uint32_t known_faces = face_triangles_.size();

@@ -34,6 +34,14 @@ inline void FlatPainter::blend(int x, int y, Colour colour, double opacity)
     p = {mixed(p.red, colour.red, part), mixed(p.green, colour.green, part), mixed(p.blue, colour.blue, part), p.alpha};
 }
 
+/// Pixels of one row, up to x1.
+void FlatPainter::blend_run(int x0, int x1, int y, Colour colour, double opacity)
+{
+    Pixel* row = &image_.at(x0, y);
+    if (opacity >= 1) std::fill(row, row + (x1 - x0), Pixel{colour.red, colour.green, colour.blue, 255});
+    else for (int x = x0; x < x1; ++x) blend(x, y, colour, opacity);
+}
+
 // --- fills: each edge says by how much it changes the part of a pixel, and of all to the right of it, that is inside -----------------
 
 void FlatPainter::fill(std::span<const Point2> polygon, Colour colour, double opacity)
@@ -44,16 +52,20 @@ void FlatPainter::fill(std::span<const Point2> polygon, Colour colour, double op
     const Window window{std::max(0, pixel(low.x)), std::max(0, pixel(low.y)), std::min(image_.width, pixel(high.x) + 1), std::min(image_.height, pixel(high.y) + 1)};
     if (window.x0 >= window.x1 || window.y0 >= window.y1) return;
 
-    const std::size_t width = std::size_t(window.x1 - window.x0) + 2;
+    const int pixels = window.x1 - window.x0;
+    const std::size_t width = std::size_t(pixels) + 2;
     cover_.assign(width * std::size_t(window.y1 - window.y0), 0);
     for (std::size_t i = 0; i < polygon.size(); ++i) add_edge(polygon[i], polygon[(i + 1) % polygon.size()], window);
     for (int y = window.y0; y < window.y1; ++y) {
         const double* row = &cover_[width * std::size_t(y - window.y0)];
         double inside = 0;
-        for (int x = window.x0; x < window.x1; ++x) {
-            inside += row[x - window.x0];
+        for (int x = 0; x < pixels;) {
+            inside += row[x];
+            int end = x + 1;
+            while (end < pixels && row[end] == 0) ++end; // as far as no edge comes they are all alike
             // What rounding leaves of a pixel is none of it, or all.
-            if (const double part = std::abs(inside); part > 1.0 / 512) blend(x, y, colour, part < 511.0 / 512 ? opacity * part : opacity);
+            if (const double part = std::abs(inside); part > 1.0 / 512) blend_run(window.x0 + x, window.x0 + end, y, colour, part < 511.0 / 512 ? opacity * part : opacity);
+            x = end;
         }
     }
 }

@@ -35,6 +35,7 @@ private:
     };
 
     void blend(int x, int y, Colour colour, double opacity);
+    void blend_run(int x0, int x1, int y, Colour colour, double opacity);
     void add_edge(Point2 from, Point2 to, const Window& window);
     void add_inside(Point2 from, Point2 to, const Window& window);
     void add_row(int row, double x0, double x1, double rise, const Window& window);

@@ -1,5 +1,8 @@
 #include "ui/autosave.h"
 
+#include "ui/tile_source.h"
+
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -11,6 +14,7 @@ namespace druse::ui {
 namespace {
 
 constexpr const char* model_extension = ".dlfl"; // it keeps groups, start corners and open boundaries
+constexpr const char* tile_extension = ".tile";
 constexpr double when_busy = 2;                  // seconds until the next try
 
 std::string host()
@@ -37,15 +41,20 @@ void remove(std::filesystem::path file, const char* extension)
     std::filesystem::remove(file.replace_extension(extension), none);
 }
 
-/// A model in the folder named after this process, other than what an earlier one with the same number may have left.
-std::filesystem::path own_name(const std::filesystem::path& folder)
+/// A file in the folder named after this process, other than what an earlier one with the same number may have left.
+std::filesystem::path own_name(const std::filesystem::path& folder, Autosave::Kind kind)
 {
-    const std::string name = host() + "-" + std::to_string(getpid());
-    std::filesystem::path file = folder / (name + model_extension);
+    // Names differ before the extension: each has its history and its lock beside it.
+    const std::string name = host() + "-" + std::to_string(getpid()) + (kind == Autosave::Kind::tile ? "-tile" : "");
+    const char* extension = kind == Autosave::Kind::tile ? tile_extension : model_extension;
+    std::filesystem::path file = folder / (name + extension);
     std::error_code none;
-    for (int i = 2; std::filesystem::exists(file, none); ++i) file = folder / (name + "-" + std::to_string(i) + model_extension);
+    for (int i = 2; std::filesystem::exists(file, none); ++i) file = folder / (name + "-" + std::to_string(i) + extension);
     return file;
 }
+
+/// What lies beside a model.
+constexpr std::array beside_a_model{".mtl", ".druse"};
 
 } // namespace
 
@@ -56,8 +65,8 @@ std::filesystem::path Autosave::default_folder()
     return std::filesystem::path(home && *home ? home : "/tmp") / ".local/state/druse";
 }
 
-Autosave::Autosave(Session& session, std::filesystem::path folder)
-    : session_(session), folder_(std::move(folder)), model_(own_name(folder_)),
+Autosave::Autosave(Session& session, std::filesystem::path folder, Kind kind)
+    : session_(session), kind_(kind), folder_(std::move(folder)), model_(own_name(folder_, kind)),
       saved_version_(session.document_version()), saved_at_(std::chrono::steady_clock::now()), timer_([this] { save(); })
 {
     std::error_code error;
@@ -76,12 +85,17 @@ Autosave::~Autosave()
 
 void Autosave::discard(const std::filesystem::path& model)
 {
-    for (const char* extension : {model_extension, ".mtl", ".druse", ".lock"}) remove(model, extension);
+    std::error_code none;
+    std::filesystem::remove(model, none);
+    for (const char* extension : beside_a_model) remove(model, extension);
+    remove(model, ".lock");
 }
 
 void Autosave::take_away()
 {
-    for (const char* extension : {model_extension, ".mtl", ".druse"}) remove(model_, extension);
+    std::error_code none;
+    std::filesystem::remove(model_, none);
+    for (const char* extension : beside_a_model) remove(model_, extension);
     written_ = false;
 }
 
@@ -92,7 +106,7 @@ std::filesystem::path Autosave::set_aside(const std::filesystem::path& model)
     std::filesystem::create_directories(folder, error);
     std::filesystem::rename(model, target, error);
     if (error) return model;
-    for (const char* extension : {".mtl", ".druse"})
+    for (const char* extension : beside_a_model)
         std::filesystem::rename(std::filesystem::path(model).replace_extension(extension), std::filesystem::path(target).replace_extension(extension), error);
     remove(model, ".lock");
     return target;
@@ -116,9 +130,16 @@ void Autosave::save()
     }
     saved_version_ = session_.document_version();
     saved_at_ = std::chrono::steady_clock::now();
-    if (!session_.is_changed() || session_.display().counts.faces == 0) return; // a source alone is in no .dlfl file
+    if (!session_.is_changed() || !has_something()) return;
     written_ = true;
     session_.keep_copy(model_);
+}
+
+/// Something that the file can hold: a source alone is in no .dlfl file.
+bool Autosave::has_something() const
+{
+    const Scene* scene = session_.scene();
+    return kind_ == Kind::model ? session_.display().counts.faces > 0 : scene && layered_tile(*scene);
 }
 
 void Autosave::save_now()
@@ -134,7 +155,7 @@ std::vector<std::filesystem::path> Autosave::leftovers() const
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
         const std::filesystem::path& file = entry.path();
-        if (file.extension() != model_extension || file == model_) continue;
+        if ((file.extension() != model_extension && file.extension() != tile_extension) || file == model_) continue;
         if (!is_held(std::filesystem::path(file).replace_extension(".lock"))) found.push_back(file);
     }
     return found;

@@ -11,14 +11,15 @@ namespace druse::ui {
 
 /// Keeps a copy of unsaved work where the next start finds it, should this one end badly.
 ///
-/// The copy is a model and, where there is one, the history as a script, both named after the process; a lock file beside them
-/// says whose they are. They go when the window is closed in order.
+/// The copy is a model, or of the tile editor a tile, and, where there is one, the history as a script, both named after the process; a lock file
+/// beside them says whose they are. They go when the window is closed in order.
 class Autosave {
 public:
     static constexpr double after_change = 20, at_least_every = 120; // seconds
 
+    enum class Kind { model, tile };
     /// `folder` is made if it is not there; if it cannot be, nothing is kept, and the session says so.
-    Autosave(Session& session, std::filesystem::path folder);
+    Autosave(Session& session, std::filesystem::path folder, Kind kind = Kind::model);
     ~Autosave();
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
@@ -31,7 +32,7 @@ public:
     void keep() { keep_ = true; }
     const std::filesystem::path& own_model() const { return model_; }
 
-    /// Models that processes which are gone have left.
+    /// Models and tiles that processes which are gone have left.
     std::vector<std::filesystem::path> leftovers() const;
     static void discard(const std::filesystem::path& model);
     /// Moves one, with what lies beside it, to the folder `recovered`, where histories that begin with it go on finding it.
@@ -44,8 +45,10 @@ public:
 private:
     void save();
     void take_away();
+    bool has_something() const;
 
     Session& session_;
+    Kind kind_;
     std::filesystem::path folder_, model_;
     std::uint64_t saved_version_ = 0;
     std::chrono::steady_clock::time_point saved_at_;

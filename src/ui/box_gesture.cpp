@@ -35,6 +35,7 @@ void BoxGesture::release(const Pointer& pointer)
     const DrawLists& lists = session_.display().lists;
     const auto [left, right] = std::minmax(start_.x, end_.x);
     const auto [top, bottom] = std::minmax(start_.y, end_.y);
+    if (tool_.take_box({left, top}, {right, bottom}, pointer)) return;
     std::vector<bool> inside(lists.vertex_limit());
     for (std::uint32_t v = 0; v < lists.vertex_limit(); ++v) {
         const auto place = camera_.project(lists.position(v));

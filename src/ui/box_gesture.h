@@ -5,11 +5,11 @@
 
 namespace druse::ui {
 
-/// Selects what lies inside a rectangle of the picture: faces, edges or vertices whose every vertex is seen in it.
+/// Selects what lies inside a rectangle of the picture: faces, edges or vertices whose every vertex is seen in it; or what the tool makes of it.
 class BoxGesture : public Gesture {
 public:
-    BoxGesture(Element element, Session& session, const Camera& camera, const Pointer& start)
-        : element_(element), session_(session), camera_(camera), start_(start), end_(start)
+    BoxGesture(Element element, Session& session, const Camera& camera, Tool& tool, const Pointer& start)
+        : element_(element), session_(session), camera_(camera), tool_(tool), start_(start), end_(start)
     {
     }
     void move(const Pointer& pointer) override { end_ = pointer; }
@@ -20,6 +20,7 @@ private:
     Element element_;
     Session& session_;
     const Camera& camera_;
+    Tool& tool_;
     Pointer start_, end_;
 };
 

@@ -30,9 +30,8 @@ Counts shown_counts(const Scene& scene)
     return lines(graph.vertices.size(), graph.edges.size());
 }
 
-void build(DrawLists& lists, const Document& document)
+void build(DrawLists& lists, const Scene& scene)
 {
-    const Scene& scene = document.scene();
     const ShownLines lines(scene);
     if (lines.graph()) lists.build(*lines.graph());
     else lists.build(scene.mesh, colours_of(*scene.groups));
@@ -61,14 +60,16 @@ std::vector<GroupSize> group_sizes(const Mesh& mesh)
     return sizes;
 }
 
-DisplayChange::DisplayChange(const Document& document, MeshDelta delta) : delta_(std::move(delta))
+DisplayChange::DisplayChange(const Document& document, MeshDelta delta, bool draws_sources) : delta_(std::move(delta))
 {
     const Scene& scene = document.scene();
     const std::size_t changed = delta_.faces.size() + delta_.vertices.size();
     if (delta_.whole || changed > scene.mesh.face_count() / 2) {
         delta_.whole = true;
-        lists_.emplace();
-        build(*lists_, document);
+        const Pane* pane = shows_source(scene) ? std::get_if<Pane>(&*scene.source) : nullptr;
+        if (pane && draws_sources) lines_ = pane_edges(*pane);
+        else lists_.emplace();
+        if (lists_ && (draws_sources || !shows_source(scene))) build(*lists_, scene);
     }
     if (delta_.whole || !delta_.faces.empty() || !delta_.regrouped.empty()) group_sizes_ = group_sizes(scene.mesh);
     if (scene.mesh.face_count() <= quickly_counted) facts_ = facts(scene.mesh);
@@ -85,6 +86,8 @@ void DisplayChange::apply_to(Display& display, const Document& document)
     if (lists_) {
         display.lists = std::move(*lists_);
         display.lists.select(scene.selection->faces);
+    } else if (lines_) {
+        display.lists.update(*lines_);
     } else {
         const bool mesh_changed = !(delta_.vertices.empty() && delta_.edges.empty() && delta_.faces.empty() && delta_.regrouped.empty());
         if (mesh_changed) display.lists.update(scene.mesh, delta_, colours_of(*scene.groups));

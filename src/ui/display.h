@@ -45,7 +45,8 @@ public:
     DisplayChange() = default;
     /// `delta` holds at least what changed in the mesh. Facts are counted if the mesh is small enough to wait for it, and lists
     /// made anew here if that is the larger part of the work.
-    DisplayChange(const Document& document, MeshDelta delta);
+    /// `draws_sources`: of a document without faces the lines of its source are drawn.
+    DisplayChange(const Document& document, MeshDelta delta, bool draws_sources = true);
 
     /// Brings a display to the state of the document, which must be the one that the change was made for.
     void apply_to(Display& display, const Document& document);
@@ -53,6 +54,7 @@ public:
 private:
     MeshDelta delta_;
     std::optional<DrawLists> lists_;
+    std::optional<Graph> lines_; // of a pane: most of them are as they were
     std::optional<MeshFacts> facts_;
     std::optional<std::vector<GroupSize>> group_sizes_; // if they may have changed
     std::vector<Point> starts_;

@@ -114,7 +114,7 @@ void add_group_actions(Actions& list, MainWindow& w)
 
 void add_tile_actions(Actions& list, MainWindow& w)
 {
-    list.push_back({.path = "Tile/Tile editor…", .shortcut = FL_F + 6, .run = [&w] { w.tile_editor(); }, .divider = true});
+    list.push_back({.path = "Tile/Tile editor", .shortcut = FL_F + 6, .run = [&w] { w.tile_editor(); }, .divider = true});
 }
 
 void add_view_actions(Actions& list, MainWindow& w)

@@ -38,7 +38,7 @@ bool is_text_field(const Fl_Widget* widget) { return dynamic_cast<const Fl_Input
 } // namespace
 
 MainWindow::MainWindow(Session& session, Preferences& preferences, const Options& options, int w, int h)
-    : Fl_Double_Window(w, h, "Druse"), session_(session), preferences_(preferences), options_(options), view_(session),
+    : EditorWindow(w, h, "Druse"), session_(session), preferences_(preferences), options_(options), view_(session),
       files_(session), pictures_([this](const Mesh& solid, int size) { return viewport_.picture_of(solid, size); }),
       tree_(session, pictures_, 0, 0, 1, 1), parameters_(session, pictures_, 0, 0, 1, 1), view_bar_(session, view_, 0, 0, 1, 1),
       no_view_(0, 0, 1, 1), viewport_(session, view_, 0, 0, 10, 10), history_(session, 0, 0, 1, 1), groups_(session, view_, 0, 0, 1, 1),
@@ -148,7 +148,7 @@ MainWindow::~MainWindow()
 
 void MainWindow::resize(int x, int y, int w, int h)
 {
-    Fl_Double_Window::resize(x, y, w, h);
+    EditorWindow::resize(x, y, w, h);
     arrange();
 }
 
@@ -287,7 +287,7 @@ int MainWindow::handle(int event)
             escape();
             return 1; // else it would close the window
         }
-        if (Fl_Double_Window::handle(event)) return 1;
+        if (EditorWindow::handle(event)) return 1;
         return other_key(Fl::event_key()) ? 1 : 0;
     }
     // Tab folds the side panels; between fields it goes from one to the next.
@@ -295,7 +295,7 @@ int MainWindow::handle(int event)
         fold_sides();
         return 1;
     }
-    const int handled = Fl_Double_Window::handle(event);
+    const int handled = EditorWindow::handle(event);
     const bool mouse = event == FL_MOVE || event == FL_DRAG || event == FL_RELEASE || event == FL_PUSH;
     if (mouse) update_hint();
     return handled;
@@ -422,6 +422,7 @@ TileWindow& MainWindow::tile_editor()
             session_.run_script(std::move(script));
             if (shown()) show(); // in front
         };
+        if (on_tile_editor) on_tile_editor(*tile_editor_);
     }
     if (!tile_editor_->shown()) {
         tile_editor_->size(w(), h());
@@ -430,6 +431,8 @@ TileWindow& MainWindow::tile_editor()
     tile_editor_->show();
     return *tile_editor_;
 }
+
+bool MainWindow::is_in_view(int x, int y) const { return x >= viewport_.x() && x < viewport_.x() + viewport_.w() && y >= viewport_.y(); }
 
 void MainWindow::open(const std::filesystem::path& file)
 {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "ui/action.h"
 #include "ui/divider.h"
+#include "ui/editor_window.h"
 #include "ui/facts_panel.h"
 #include "ui/file_commands.h"
 #include "ui/groups_panel.h"
 #include "ui/history_panel.h"
-#include "ui/menu.h"
 #include "ui/operator_tree.h"
 #include "ui/parameter_panel.h"
 #include "ui/preferences.h"
@@ -19,7 +18,6 @@
 #include "ui/viewport.h"
 
 #include <FL/Fl_Box.H>
-#include <FL/Fl_Double_Window.H>
 
 #include <functional>
 #include <memory>
@@ -30,7 +28,7 @@ namespace druse::ui {
 class TileWindow;
 
 /// Puts the parts of the window side by side and tells each when the session has changed. What they do is in them.
-class MainWindow : public Fl_Double_Window {
+class MainWindow : public EditorWindow {
 public:
     struct Options {
         bool test = false; // no animation, nothing remembered
@@ -46,15 +44,13 @@ public:
     /// After every change of the session.
     std::function<void()> on_change;
 
-    Session& session() { return session_; }
+    Session& session() override { return session_; }
     View& view() { return view_; }
     Viewport& viewport() { return viewport_; }
     FileCommands& files() { return files_; }
     Preferences& preferences() { return preferences_; }
-    Menu& menu() { return *menu_; }
     GroupsPanel& groups() { return groups_; }
     ParameterPanel& parameters() { return parameters_; }
-    const Actions& actions() const { return actions_; }
 
     // What the View and Help menus do with the window itself.
     void fold_sides();
@@ -67,10 +63,14 @@ public:
     void quit();
     /// The tile editor, opened where it is not open yet.
     TileWindow& tile_editor();
+    /// The same where it has been open; null where it never was.
+    TileWindow* known_tile_editor() { return tile_editor_.get(); }
+    /// The tile editor is there for the first time.
+    std::function<void(TileWindow&)> on_tile_editor;
     /// Opens a file: a tile in the tile editor.
-    void open(const std::filesystem::path& file);
-    /// Chooses an operator and shows it; one without parameters runs.
-    void choose(const Operator& op);
+    void open(const std::filesystem::path& file) override;
+    void choose(const Operator& op) override;
+    bool is_in_view(int x, int y) const override;
 
 private:
     void arrange();
@@ -91,9 +91,7 @@ private:
     Options options_;
     View view_;
     FileCommands files_;
-    Actions actions_;
 
-    std::unique_ptr<Menu> menu_;
     Pictures pictures_;
     OperatorTree tree_;
     ParameterPanel parameters_;

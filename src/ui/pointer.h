@@ -10,4 +10,7 @@ struct Pointer {
     bool twice = false; // the second press of a double click
 };
 
+/// That of the event of the mouse that is being handled, in a view whose top left corner is there in its window.
+Pointer pointer_at(int left, int top);
+
 } // namespace druse::ui

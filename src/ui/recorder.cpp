@@ -3,6 +3,8 @@
 #include "ui/key_names.h"
 #include "ui/list_view.h"
 #include "ui/main_window.h"
+#include "ui/replay.h"
+#include "ui/tile_window.h"
 
 #include "dlfl/errors.h"
 
@@ -50,6 +52,14 @@ bool opens_something(const Fl_Widget* widget)
     return dynamic_cast<const Fl_Choice*>(widget) || (dynamic_cast<const Fl_Button*>(widget) && (label.ends_with("…") || label == "@#2>"));
 }
 
+/// Would the key open a dialog?
+bool asks(const EditorWindow& window, int key, int state)
+{
+    for (const Action& action : window.actions())
+        if (action.shortcut == (key | (state & (FL_CTRL | FL_ALT | FL_SHIFT))) && action.path.ends_with("…")) return true;
+    return false;
+}
+
 } // namespace
 
 Recorder* Recorder::only_ = nullptr;
@@ -59,67 +69,76 @@ Recorder::Recorder(MainWindow& window, const std::string& file) : window_(window
     if (!out_) throw InputError(file, "cannot be written");
     only_ = this;
     Fl::event_dispatch(dispatch);
-    window_.menu().on_pick = [this](const std::string& path) {
-        if (Fl::event() != FL_SHORTCUT && Fl::event() != FL_KEYBOARD && !path.ends_with("…")) write("menu " + path);
-    };
+    watch(window_);
 }
 
 Recorder::~Recorder()
 {
     window_.menu().on_pick = nullptr;
+    if (TileWindow* editor = window_.known_tile_editor()) editor->menu().on_pick = nullptr;
     Fl::event_dispatch(nullptr);
     only_ = nullptr;
+}
+
+void Recorder::watch(EditorWindow& window)
+{
+    window.menu().on_pick = [this, &window](const std::string& path) {
+        if (Fl::event() != FL_SHORTCUT && Fl::event() != FL_KEYBOARD && !path.ends_with("…")) write(window, "menu " + path);
+    };
+}
+
+void Recorder::write(const EditorWindow& window, const std::string& line)
+{
+    out_ << (&window == &window_ ? "" : tile_editor_mark) << line << std::endl;
 }
 
 int Recorder::dispatch(int event, Fl_Window* to)
 {
     // What goes to menus and dialogs is theirs.
-    if (to && (to == &only_->window_ || to->window() == &only_->window_) && !Fl::grab()) only_->record(event);
+    if (to && !Fl::grab())
+        for (EditorWindow* window : {static_cast<EditorWindow*>(&only_->window_), static_cast<EditorWindow*>(only_->window_.known_tile_editor())})
+            if (window && (to == window || to->window() == window)) only_->record(event, *window);
     return Fl::handle_(event, to);
 }
 
-void Recorder::record(int event)
+void Recorder::record(int event, EditorWindow& window)
 {
-    const int x = Fl::event_x_root() - window_.x_root(), y = Fl::event_y_root() - window_.y_root();
-    const bool in_view = x >= window_.viewport().x() && x < window_.viewport().x() + window_.viewport().w() && y >= window_.viewport().y();
+    const int x = Fl::event_x_root() - window.x_root(), y = Fl::event_y_root() - window.y_root();
     switch (event) {
     case FL_PUSH:
-        if (y < window_.menu().h() || (Fl::event_button() == 3 && !in_view) || opens_something(widget_at(window_, x, y))) break;
+        if (y < window.menu().h() || (Fl::event_button() == 3 && !window.is_in_view(x, y)) || opens_something(widget_at(window, x, y))) break;
         pressed_ = true;
-        write(fmt::format("push {} {} {}{}{}", x, y, Fl::event_button(), held(), Fl::event_clicks() > 0 ? " twice" : ""));
+        write(window, fmt::format("push {} {} {}{}{}", x, y, Fl::event_button(), held(), Fl::event_clicks() > 0 ? " twice" : ""));
         break;
     case FL_MOVE: // FLTK makes a drag of it later
     case FL_DRAG:
-        if (pressed_) write(fmt::format("drag {} {}{}", x, y, held()));
+        if (pressed_) write(window, fmt::format("drag {} {}{}", x, y, held()));
         break;
     case FL_RELEASE:
-        if (pressed_) write(fmt::format("release {} {}{}", x, y, held()));
+        if (pressed_) write(window, fmt::format("release {} {}{}", x, y, held()));
         pressed_ = false;
         break;
-    case FL_MOUSEWHEEL: write(fmt::format("wheel {} {} {}{}", x, y, Fl::event_dy(), held())); break;
-    case FL_KEYBOARD:
-    case FL_SHORTCUT: {
+    case FL_MOUSEWHEEL: write(window, fmt::format("wheel {} {} {}{}", x, y, Fl::event_dy(), held())); break;
+    case FL_KEYBOARD: {
         const std::string name = key_text({Fl::event_key(), Fl::event_state() & (FL_CTRL | FL_ALT | FL_SHIFT)});
-        if (event == FL_KEYBOARD && !name.empty() && !asks(Fl::event_key(), Fl::event_state())) write("key " + name);
+        if (!name.empty() && !asks(window, Fl::event_key(), Fl::event_state())) write(window, "key " + name);
         break;
     }
     default: break;
     }
 }
 
-/// Would the key open a dialog?
-bool Recorder::asks(int key, int state) const
-{
-    for (const Action& action : window_.actions())
-        if (action.shortcut == (key | (state & (FL_CTRL | FL_ALT | FL_SHIFT))) && action.path.ends_with("…")) return true;
-    return false;
-}
-
 void Recorder::follow(const std::string& line)
 {
-    for (const auto& [event, verb] : {std::pair("opened ", "open "), std::pair("saved ", "save "), std::pair("exported ", "export "),
-                                      std::pair("set ", "set "), std::pair("preset ", "preset "), std::pair("run ", "run ")})
-        if (line.starts_with(event)) write(verb + line.substr(std::string_view(event).size()));
+    const bool in_tile_editor = line.starts_with(tile_editor_mark);
+    const std::string_view rest = std::string_view(line).substr(in_tile_editor ? std::string_view(tile_editor_mark).size() : 0);
+    for (const char* event : {"opened ", "saved ", "exported ", "set ", "preset ", "run ", "choose ", "handed over"}) {
+        if (!rest.starts_with(event)) continue;
+        std::string verb = event;
+        for (const auto& [done, present] : {std::pair("opened ", "open "), std::pair("saved ", "save "), std::pair("exported ", "export "), std::pair("handed over", "hand over")})
+            if (verb == done) verb = present;
+        out_ << (in_tile_editor ? tile_editor_mark : "") << verb << rest.substr(std::string_view(event).size()) << std::endl;
+    }
 }
 
 } // namespace druse::ui

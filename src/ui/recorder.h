@@ -7,9 +7,10 @@
 
 namespace druse::ui {
 
+class EditorWindow;
 class MainWindow;
 
-/// Writes down what a person does in the main window, one event a line, as Replay reads it.
+/// Writes down what a person does in the main window and in the tile editor, one event a line, as Replay reads it.
 ///
 /// Menus and dialogs are left out; what comes of them is written instead: the entry that was picked, the file that was opened.
 class Recorder {
@@ -20,14 +21,15 @@ public:
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
+    /// Another window of the program, from now on.
+    void watch(EditorWindow& window);
     /// An event of the log: what a person has chosen where this does not look.
     void follow(const std::string& line);
 
 private:
     static int dispatch(int event, Fl_Window* to);
-    void record(int event);
-    bool asks(int key, int state) const;
-    void write(const std::string& line) { out_ << line << std::endl; }
+    void record(int event, EditorWindow& window);
+    void write(const EditorWindow& window, const std::string& line);
 
     static Recorder* only_;
     MainWindow& window_;

@@ -14,6 +14,12 @@ struct ReliefPicture {
     std::optional<double> thinnest; // between top and bottom
     Point thinnest_top{0.0}, thinnest_bottom{0.0}; // there
     std::string trouble;            // what is wrong with the solid
+    std::optional<double> volume;   // of it
+    int solids = 0;                 // that the stack needs
+
+    /// Of the tiles around it, which are shown where this is above 0: scaled about their own middles, so that joints open; 1 is touching.
+    double neighbours = 0;
+    bool is_shown = true; // else a mesh is, in its place
 
     /// Follows a tile; without one nothing is drawn.
     void follow(const LayeredTile* tile);

@@ -19,7 +19,7 @@ constexpr double flattest = 0.15; // of the length of a unit in the picture, tha
 std::optional<Target> ReliefTool::under(const Pointer& pointer) const
 {
     const ShownTile& shape = plane_.tile();
-    if (!shape.thickness) return {};
+    if (!shape.thickness || !relief_.is_shown) return {};
     double nearest = layout().pick_radius();
     std::optional<Target> found;
     double depth = 0;
@@ -47,6 +47,21 @@ void ReliefTool::act(const Target& target, const Pointer& pointer)
     plane_.select(std::move(names));
 }
 
+bool ReliefTool::take_box(const Point2& low, const Point2& high, const Pointer& end)
+{
+    const ShownTile& shape = plane_.tile();
+    if (!shape.thickness || relief_.lists.vertex_limit() < shape.points.size()) return true; // there is nothing to select
+    std::set<std::string> names = end.shift || end.ctrl ? plane_.selected() : std::set<std::string>();
+    for (std::uint32_t v = 0; v < shape.points.size(); ++v) {
+        const auto seen = camera_.project(relief_.lists.position(v));
+        if (!seen || seen->x < low.x || seen->y < low.y || seen->x > high.x || seen->y > high.y) continue;
+        if (end.ctrl) names.erase(shape.points[v].name);
+        else names.insert(shape.points[v].name);
+    }
+    plane_.select(std::move(names));
+    return true;
+}
+
 std::unique_ptr<Gesture> ReliefTool::press(const Pointer& start, const ShowTarget& show)
 {
     const auto target = under(start);
@@ -59,7 +74,7 @@ void ReliefTool::add_marks(Overlay& overlay) const
     constexpr std::size_t most_dots = 1500;
     constexpr Colour dot{0xff, 0xff, 0xff}, rim{0x1c, 0x1d, 0x20}, together{0x7d, 0xe0, 0xff};
     const ShownTile& shape = plane_.tile();
-    if (!shape.thickness || relief_.lists.vertex_limit() < shape.points.size()) return;
+    if (!shape.thickness || !relief_.is_shown || relief_.lists.vertex_limit() < shape.points.size()) return;
     std::set<int> orbits;
     for (const TilePoint& p : shape.points)
         if (p.orbit >= 0 && plane_.selected().contains(p.name)) orbits.insert(p.orbit);
@@ -83,7 +98,7 @@ std::string ReliefTool::hint() const
 {
     if (!plane_.tile().type) return "choose a type of tile";
     if (!plane_.tile().thickness) return "Extrude gives the tile its thickness; then its points can be raised";
-    return "click or Shift-click points, drag them up and down; drag beside them turns the view";
+    return "click or Shift-click points, B and a drag boxes them; drag them up and down; drag beside them turns the view";
 }
 
 ReliefTool::Raise::Raise(ReliefTool& tool, const Target& target, const Pointer& start) : tool_(tool), target_(target), start_(start)
@@ -111,6 +126,7 @@ void ReliefTool::Raise::move(const Pointer& p)
         if (!tool_.plane_.selected().contains(name)) return;
         points_ = tool_.plane_.selected_text();
         tool_.step_.emplace(tool_.session_);
+        tool_.is_raising_ = true;
         moved_ = true;
     }
     // To a tenth of what a pixel is, so that commands can be read.

@@ -20,8 +20,12 @@ public:
     void act(const Target& target, const Pointer& pointer) override;
     std::unique_ptr<Gesture> press(const Pointer& start, const ShowTarget& show) override;
     void add_marks(Overlay& overlay) const override;
+    bool take_box(const Point2& low, const Point2& high, const Pointer& end) override;
+    /// Something is dragged up or down.
+    bool is_raising() const { return is_raising_; }
     void act_on_nothing() override { plane_.select({}); }
     std::string hint() const override;
+    bool holds_through_edits() const override { return true; }
     std::string pressed_hint() const override { return "up and down; Escape takes it back"; }
     /// The session changed: what was waiting may go.
     void go_on()
@@ -34,6 +38,7 @@ private:
     class Raise : public Gesture {
     public:
         Raise(ReliefTool& tool, const Target& target, const Pointer& start);
+        ~Raise() override { tool_.is_raising_ = false; }
         void move(const Pointer& pointer) override;
         void release(const Pointer& pointer) override;
         void cancel() override;
@@ -50,6 +55,7 @@ private:
     TileView& plane_;
     const ReliefPicture& relief_;
     std::optional<LiveStep> step_;
+    bool is_raising_ = false;
 };
 
 } // namespace druse::ui

@@ -2,6 +2,7 @@
 
 #include "ui/key_names.h"
 #include "ui/main_window.h"
+#include "ui/tile_window.h"
 #include "ui/window_picture.h"
 
 #include "dlfl/errors.h"
@@ -13,6 +14,7 @@
 #include <array>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 namespace druse::ui {
 
@@ -21,7 +23,7 @@ namespace {
 constexpr int longest_wait = 1000; // ticks
 
 /// Puts an event of the mouse in, as if it had come from the display.
-void send_mouse(MainWindow& window, int event, std::istream& words)
+void send_mouse(EditorWindow& window, int event, std::istream& words)
 {
     int x = 0, y = 0, number = 0;
     words >> x >> y;
@@ -51,7 +53,7 @@ void send_mouse(MainWindow& window, int event, std::istream& words)
     Fl::handle(event, &window);
 }
 
-void send_key(MainWindow& window, const std::string& name)
+void send_key(EditorWindow& window, const std::string& name)
 {
     const auto key = key_from_text(name);
     if (!key) throw CommandError("unknown key '" + name + "'");
@@ -80,7 +82,7 @@ void Replay::next()
         return;
     }
     // The next line comes when the one before has had its effect.
-    if (!window_.session().busy()) {
+    if (!is_busy()) {
         const std::size_t number = at_ + 1;
         const std::string line = lines_[at_];
         try {
@@ -98,6 +100,12 @@ void Replay::next()
     start();
 }
 
+bool Replay::is_busy() const
+{
+    TileWindow* editor = window_.known_tile_editor();
+    return window_.session().busy() || (editor && editor->session().busy());
+}
+
 bool Replay::awaited(const std::string& event)
 {
     if (std::none_of(events_.begin(), events_.end(), [&](const std::string& line) { return line.starts_with(event); })) return false;
@@ -106,27 +114,33 @@ bool Replay::awaited(const std::string& event)
     return true;
 }
 
-void Replay::play(const std::string& line)
+void Replay::play(std::string line)
 {
+    TileWindow* editor = nullptr;
+    if (line.starts_with(tile_editor_mark)) {
+        editor = &window_.tile_editor();
+        line.erase(0, std::string_view(tile_editor_mark).size());
+    }
+    EditorWindow& window = editor ? static_cast<EditorWindow&>(*editor) : window_;
     std::istringstream words(line);
     std::string verb, rest;
     words >> verb;
     if (verb.empty() || verb[0] == '#') return;
-    if (verb == "push") return send_mouse(window_, FL_PUSH, words);
-    if (verb == "drag") return send_mouse(window_, FL_DRAG, words);
-    if (verb == "move") return send_mouse(window_, FL_MOVE, words);
-    if (verb == "wheel") return send_mouse(window_, FL_MOUSEWHEEL, words);
+    if (verb == "push") return send_mouse(window, FL_PUSH, words);
+    if (verb == "drag") return send_mouse(window, FL_DRAG, words);
+    if (verb == "move") return send_mouse(window, FL_MOVE, words);
+    if (verb == "wheel") return send_mouse(window, FL_MOUSEWHEEL, words);
     if (verb == "release") {
-        send_mouse(window_, FL_RELEASE, words);
+        send_mouse(window, FL_RELEASE, words);
         return;
     }
     std::getline(words >> std::ws, rest);
-    Session& session = window_.session();
-    if (verb == "key") return send_key(window_, rest);
+    Session& session = window.session();
+    if (verb == "key") return send_key(window, rest);
     if (verb == "menu") {
-        if (!window_.menu().pick(rest)) throw CommandError("no menu entry '" + rest + "'");
+        if (!window.menu().pick(rest)) throw CommandError("no menu entry '" + rest + "'");
     } else if (verb == "choose") {
-        window_.choose(session.registry().get(rest));
+        window.choose(session.registry().get(rest));
     } else if (verb == "run") {
         session.run(rest);
     } else if (verb == "set") {
@@ -142,9 +156,11 @@ void Replay::play(const std::string& line)
     } else if (verb == "export") {
         session.export_to(rest);
     } else if (verb == "shot") {
-        write_png(rest, picture_of(window_));
+        write_png(rest, picture_of(window));
+    } else if (verb == "hand" && editor) {
+        editor->hand_over();
     } else if (verb == "quit") {
-        window_.hide();
+        window.hide();
     } else {
         throw CommandError("unknown word '" + verb + "'");
     }

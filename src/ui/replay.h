@@ -8,7 +8,11 @@
 
 namespace druse::ui {
 
+class EditorWindow;
 class MainWindow;
+
+/// What lines of the event log and of recordings begin with that are the tile editor's.
+inline constexpr const char* tile_editor_mark = "tile: ";
 
 /// Plays a recording on the main loop: mouse, keys and menu entries go in where FLTK would put them.
 ///
@@ -16,8 +20,9 @@ class MainWindow;
 /// push X Y BUTTON [shift] [ctrl] [alt] [twice]      drag X Y      move X Y      release X Y      wheel X Y NOTCHES
 /// key Ctrl+Z      menu Edit/Undo      choose OPERATOR      set PARAMETER VALUE      run COMMAND
 /// open FILE       save FILE           export FILE          shot FILE.png            wait EVENT     quit
-/// preset NAME
+/// preset NAME     hand over
 /// ```
+/// A line that begins with `tile: ` is for the tile editor, which it opens; `hand over` ends its work, and the main window has the mesh.
 /// `wait` goes on when a line of the event log since the last wait begins so; after 10 seconds it fails.
 class Replay {
 public:
@@ -34,7 +39,8 @@ public:
 private:
     static constexpr double tick = 0.01; // seconds
     void next();
-    void play(const std::string& line);
+    void play(std::string line);
+    bool is_busy() const;
     bool awaited(const std::string& event);
 
     MainWindow& window_;

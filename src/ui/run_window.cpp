@@ -11,6 +11,7 @@
 #include "ui/replay.h"
 #include "ui/signals.h"
 #include "ui/theme.h"
+#include "ui/tile_window.h"
 
 #include "app/registry.h"
 #include "dlfl/errors.h"
@@ -46,14 +47,22 @@ double scale_of(const WindowOptions& options, const Preferences& preferences)
     throw CommandError("--ui-scale: expected 1, 1.25, 1.5 or 2");
 }
 
+/// Of the tile editor; null where it never was open.
+Session* tile_session(MainWindow& window)
+{
+    TileWindow* editor = window.known_tile_editor();
+    return editor ? &editor->session() : nullptr;
+}
+
 /// What an earlier run could not save.
-void offer_leftovers(const Autosave& autosave, Session& session)
+void offer_leftovers(const Autosave& autosave, MainWindow& window)
 {
     for (const std::filesystem::path& model : autosave.leftovers()) {
         const Leftover answer = ask_about_leftover(model);
         if (answer == Leftover::discard) Autosave::discard(model);
         if (answer != Leftover::recover) continue;
         const std::filesystem::path here = Autosave::set_aside(model);
+        Session& session = here.extension() == ".tile" ? window.tile_editor().session() : window.session();
         session.open(here);
         session.wait();
         if (session.file() == here) session.detach();
@@ -88,6 +97,13 @@ int run_window(const WindowOptions& options)
     if (!options.record.empty()) recorder.emplace(window, options.record);
     std::optional<Replay> replay;
     if (!options.replay.empty()) replay.emplace(window, options.replay);
+    std::optional<Autosave> autosave, tile_autosave;
+    window.on_tile_editor = [&](TileWindow& editor) {
+        if (recorder) recorder->watch(editor);
+        if (options.test) return;
+        tile_autosave.emplace(editor.session(), Autosave::default_folder(), Autosave::Kind::tile);
+        editor.on_change = [&] { tile_autosave->follow(); };
+    };
     window.on_event = [&](const std::string& line) {
         log.write(line);
         if (recorder) recorder->follow(line);
@@ -114,24 +130,26 @@ int run_window(const WindowOptions& options)
         replay->start();
     }
 
-    std::optional<Autosave> autosave;
     if (!options.test) {
         autosave.emplace(session, Autosave::default_folder());
-        offer_leftovers(*autosave, session);
+        offer_leftovers(*autosave, window);
         window.on_change = [&] { autosave->follow(); };
     }
     const EndSignals signals([&] {
-        if (autosave) {
-            session.cancel(); // what is not done yet is not part of the work
-            autosave->save_now();
-            autosave->keep();
+        for (const auto& [work, copy] : {std::pair(&session, &autosave), std::pair(tile_session(window), &tile_autosave)}) {
+            if (!*copy) continue;
+            work->cancel(); // what is not done yet is not part of the work
+            (*copy)->save_now();
+            (*copy)->keep();
         }
         close_all();
     });
     Fl::run();
     window.on_change = nullptr;
-    session.cancel();
-    session.wait();
+    window.on_tile_editor = nullptr;
+    for (Session* work : {&session, tile_session(window)})
+        if (work) work->cancel(), work->wait();
+    if (TileWindow* editor = window.known_tile_editor()) editor->on_change = nullptr;
     if (!options.test) preferences.store();
     if (replay && !replay->failure().empty()) throw CommandError(replay->failure());
     return 0;

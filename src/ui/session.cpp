@@ -307,24 +307,24 @@ void Session::perform(const Request& request, Progress& progress, Result& result
         const bool shown = shows_source(document_.scene());
         MeshDelta delta = run_command(request, progress, result);
         delta.whole = delta.whole || shown || shows_source(document_.scene());
-        if (document_.version() != version) result.change.emplace(document_, std::move(delta));
+        if (document_.version() != version) result.change.emplace(document_, std::move(delta), draws_sources_);
         break;
     }
     case Request::Task::open:
         result.outcome = document_.open(request.file, progress);
-        result.change.emplace(document_, whole_delta());
+        result.change.emplace(document_, whole_delta(), draws_sources_);
         break;
     case Request::Task::script: {
         Document fresh(registry_);
         result.outcome = fresh.run(request.script, progress);
         if (result.outcome.failed) break;
         document_ = std::move(fresh);
-        result.change.emplace(document_, whole_delta());
+        result.change.emplace(document_, whole_delta(), draws_sources_);
         break;
     }
     case Request::Task::clear:
         document_ = Document(registry_);
-        result.change.emplace(document_, whole_delta());
+        result.change.emplace(document_, whole_delta(), draws_sources_);
         break;
     case Request::Task::save: {
         OutputSet output;

@@ -49,6 +49,9 @@ public:
     std::function<void(const std::string&)> on_event; // one line for the event log
     std::function<void(const std::string& title, const std::string& text)> on_output; // what a query found
 
+    /// The lines of a graph, pane or tile are not among what is shown: the window has its own picture of it.
+    void leave_out_sources() { draws_sources_ = false; }
+
     // --- what is shown --------------------------------------------------------------------------------------------------
 
     const Display& display() const { return display_; }
@@ -149,6 +152,8 @@ public:
     // --- the file -------------------------------------------------------------------------------------------------------
 
     const std::filesystem::path& file() const { return file_; }
+    /// That of the file, or else the one the program is in: what commands name files from.
+    std::filesystem::path folder() const;
     std::string title() const; // `cube.obj*`
     bool is_changed() const;
     /// The step that was saved last; nothing if that state is out of reach.
@@ -192,7 +197,6 @@ private:
     std::size_t position() const { return document_.history().done(); }
     void changed();
     void event(const std::string& line);
-    std::filesystem::path folder() const;
 
     const Registry& registry_;
     Document document_;
@@ -218,6 +222,7 @@ private:
     std::optional<Request> waiting_;
     Result result_;
     std::string doing_;
+    bool draws_sources_ = true;
     Worker worker_; // last: it is done before anything it works on goes
 };
 

@@ -3,6 +3,7 @@
 #include "geom/point.h"
 #include "tile/isohedral_type.h"
 #include "tile/tile_design.h"
+#include "tile/tile_look.h"
 #include "tile/tile_motion.h"
 
 #include <array>
@@ -52,6 +53,7 @@ struct ShownTile {
     std::vector<Isometry> aspects;            // one motion for each linear part of the placement group
     std::array<Point2, 2> lattice{};
     TileStack stack;
+    TileLook look;
 
     std::vector<Point2> outline_points() const;
     Point2 low() const;

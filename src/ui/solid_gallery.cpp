@@ -3,6 +3,7 @@
 #include "ui/dialogs.h"
 #include "ui/draw.h"
 #include "ui/layout.h"
+#include "ui/picture_grid.h"
 #include "ui/theme.h"
 
 #include "dlfl/errors.h"
@@ -22,101 +23,30 @@ namespace druse::ui {
 
 namespace {
 
-/// The solids in rows; arrow keys go from one to the next, a click or Enter takes one.
-class Grid : public Fl_Widget {
+/// The solids by a picture of each.
+class SolidGrid : public PictureGrid {
 public:
-    Grid(Pictures& pictures, const std::string& current, int x, int y)
-        : Fl_Widget(x, y, 1, 1), pictures_(pictures), solids_(gallery_solids())
+    SolidGrid(Pictures& pictures, const std::vector<std::string>& solids, const std::string& current, int x, int y)
+        : PictureGrid(x, y, columns(), (int(solids.size()) + columns() - 1) / columns(), cell_width(), cell_height()), pictures_(pictures), solids_(solids)
     {
         const auto here = std::ranges::find(solids_, current);
-        marked_ = here == solids_.end() ? 0 : int(here - solids_.begin());
-        const int rows = (int(solids_.size()) + columns() - 1) / columns();
-        size(columns() * cell_width(), rows * cell_height());
-        set_visible_focus();
+        set_cells(int(solids_.size()), here == solids_.end() ? 0 : int(here - solids_.begin()));
     }
 
-    std::optional<std::string> chosen;
-    std::function<void()> on_mark;
-    const std::string& marked() const { return solids_[std::size_t(marked_)]; }
-
-    int handle(int event) override
-    {
-        switch (event) {
-        case FL_ENTER:
-        case FL_FOCUS:
-        case FL_UNFOCUS: return 1;
-        case FL_MOVE:
-            if (const int cell = cell_at(Fl::event_x(), Fl::event_y()); cell >= 0) mark(cell);
-            return 1;
-        case FL_PUSH: return 1;
-        case FL_RELEASE:
-            if (const int cell = cell_at(Fl::event_x(), Fl::event_y()); cell >= 0) take(cell);
-            return 1;
-        case FL_KEYBOARD: return key(Fl::event_key()) ? 1 : 0;
-        default: return Fl_Widget::handle(event);
-        }
-    }
+    const std::string& marked_solid() const { return solids_[std::size_t(marked())]; }
+    std::optional<std::string> chosen_solid() const { return chosen() ? std::optional(solids_[std::size_t(*chosen())]) : std::nullopt; }
 
 private:
     static int columns() { return layout().gallery_columns(); }
     static int cell_width() { return layout().picture() + layout().px(32); }
     static int cell_height() { return layout().picture() + 2 * layout().gap() + 2 * layout().small_font(); }
 
-    int cell_at(int px, int py) const
+    void draw_cell(int cell, int left, int top, bool is_marked) override
     {
-        const int column = (px - x()) / cell_width(), row = (py - y()) / cell_height();
-        if (px < x() || py < y() || column >= columns()) return -1;
-        const int cell = row * columns() + column;
-        return cell < int(solids_.size()) ? cell : -1;
-    }
-
-    void mark(int cell)
-    {
-        if (cell == marked_) return;
-        marked_ = cell;
-        redraw();
-        if (on_mark) on_mark();
-    }
-
-    void take(int cell)
-    {
-        chosen = solids_[std::size_t(cell)];
-        window()->hide();
-    }
-
-    bool key(int key)
-    {
-        const int last = int(solids_.size()) - 1;
-        switch (key) {
-        case FL_Home: mark(0); return true;
-        case FL_End: mark(last); return true;
-        case FL_Left: mark(std::max(marked_ - 1, 0)); return true;
-        case FL_Right: mark(std::min(marked_ + 1, last)); return true;
-        case FL_Up: mark(marked_ >= columns() ? marked_ - columns() : marked_); return true;
-        case FL_Down: mark(marked_ + columns() <= last ? marked_ + columns() : marked_); return true;
-        case FL_Enter:
-        case FL_KP_Enter: take(marked_); return true;
-        default: return false;
-        }
-    }
-
-    void draw() override
-    {
-        fl_color(theme().sunken);
-        fl_rectf(x(), y(), w(), h());
-        fl_font(FL_HELVETICA, layout().small_font());
-        for (int i = 0; i < int(solids_.size()); ++i) {
-            const int left = x() + i % columns() * cell_width(), top = y() + i / columns() * cell_height();
-            if (i == marked_) {
-                fl_color(theme().accent);
-                fl_rectf(left, top, cell_width(), cell_height());
-            }
-            const std::string& name = solids_[std::size_t(i)];
-            if (Fl_RGB_Image* picture = pictures_.find(name, layout().picture()))
-                picture->draw(left + (cell_width() - picture->w()) / 2, top + layout().gap());
-            draw_name(name, left + layout().gap() / 2, top + layout().gap() + layout().picture(), cell_width() - layout().gap(),
-                      i == marked_ ? theme().on_accent : theme().text);
-        }
+        const std::string& name = solids_[std::size_t(cell)];
+        if (Fl_RGB_Image* picture = pictures_.find(name, layout().picture())) picture->draw(left + (cell_width() - picture->w()) / 2, top + layout().gap());
+        draw_name(name, left + layout().gap() / 2, top + layout().gap() + layout().picture(), cell_width() - layout().gap(),
+                  is_marked ? theme().on_accent : theme().text);
     }
 
     /// In two lines, where it has two words.
@@ -134,8 +64,7 @@ private:
     }
 
     Pictures& pictures_;
-    std::vector<std::string> solids_;
-    int marked_ = 0;
+    const std::vector<std::string>& solids_;
 };
 
 } // namespace
@@ -163,14 +92,15 @@ std::optional<std::string> choose_solid(Pictures& pictures, const std::string& c
     const Layout& l = layout();
     Fl_Group::current(nullptr);
     Fl_Double_Window window(1, 1, "Solids");
-    Grid grid(pictures, current, l.margin(), l.margin());
+    const std::vector<std::string> solids = gallery_solids();
+    SolidGrid grid(pictures, solids, current, l.margin(), l.margin());
     window.size(grid.w() + 2 * l.margin(), grid.h() + 3 * l.margin() + l.button_height());
     Fl_Button file(l.margin(), window.h() - l.margin() - l.button_height(), l.px(90), l.button_height(), "File…");
     Fl_Button cancel(window.w() - l.margin() - l.px(90), file.y(), l.px(90), l.button_height(), "Cancel");
     Fl_Box name(file.x() + file.w(), file.y(), cancel.x() - file.x() - file.w(), file.h());
     window.end();
     window.color(theme().window);
-    grid.on_mark = [&] { name.copy_label(grid.marked().c_str()); }; // there is more room for it than in the grid
+    grid.on_mark = [&] { name.copy_label(grid.marked_solid().c_str()); }; // there is more room for it than in the grid
     grid.on_mark();
     for (Fl_Button* button : {&file, &cancel}) button->color(theme().raised);
     file.tooltip("A closed solid in a mesh file");
@@ -193,7 +123,7 @@ std::optional<std::string> choose_solid(Pictures& pictures, const std::string& c
     pictures.on_ready = redraw_window;
     if (redraw_window) redraw_window();
 
-    if (!ask_for_file) return grid.chosen;
+    if (!ask_for_file) return grid.chosen_solid();
     const auto path = ask_for_model("A solid");
     return path ? std::optional(path->string()) : std::nullopt;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/pointer.h"
+#include "ui/tile_drawing.h"
 #include "ui/tile_view.h"
 
 #include <FL/Fl_Widget.H>
@@ -21,9 +21,8 @@ protected:
     void draw() override;
 
 private:
-    Pointer pointer() const;
-
     TileView& view_;
+    TileDrawing drawing_;
     Image image_;
 };
 

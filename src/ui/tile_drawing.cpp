@@ -60,23 +60,31 @@ constexpr PlaneColours light_plane{.background = {0xf4, 0xf5, 0xf7},
 class PlanePicture {
 public:
     PlanePicture(const TileView& view, bool dark, double scale, Image& image)
-        : view_(view), tile_(view.tile()), plane_(view.plane()), colours_(dark ? dark_plane : light_plane), scale_(scale), painter_(image)
+        : view_(view), tile_(view.tile()), plane_(view.plane()), colours_(dark ? dark_plane : light_plane), scale_(scale), painter_(image),
+          outline_(view.tile().outline_points())
     {
+        if (outline_.empty()) return;
+        middle_ = 0.5 * (tile_.low() + tile_.high());
+        for (const Point2& p : outline_) reach_ = std::max(reach_, glm::distance(p, middle_));
     }
 
-    void draw()
+    /// Grid, picture and copies.
+    void draw_backdrop()
     {
         painter_.clear(colours_.background);
-        if (view_.shown().grid) draw_grid();
-        if (view_.traced()) draw_traced(*view_.traced());
-        if (!tile_.type) return;
-        outline_ = tile_.outline_points();
-        if (view_.shown().neighbours)
+        if (view_.picture() && tile_.look.trace) draw_traced(*tile_.look.trace, *view_.picture());
+        if (tile_.type && view_.shown().neighbours)
             for (std::size_t c = tile_.copies.size(); c-- > 1;) draw_copy(c);
+        if (view_.shown().grid) draw_grid();
+        if (tile_.type && view_.shown().neighbours && has_room_for_handles())
+            for (std::size_t c = 1; c < tile_.copies.size(); ++c) draw_small_handles(tile_.copies[c].map);
+    }
+
+    void draw_foreground()
+    {
+        if (!tile_.type) return;
         draw_tile();
         if (view_.shown().arrows) draw_arrows();
-        if (view_.shown().neighbours && has_room_for_handles())
-            for (std::size_t c = 1; c < tile_.copies.size(); ++c) draw_small_handles(tile_.copies[c].map);
         if (view_.shown().centres)
             for (const RotationCentre& c : tile_.centres) draw_centre(c);
         draw_handles();
@@ -84,6 +92,8 @@ public:
         if (view_.offset()) draw_ghost(*view_.offset());
         if (view_.refused()) draw_refused();
         if (const auto line = view_.rubber()) painter_.line(at(line->first), at(line->second), 2 * scale_, colours_.ghost);
+        if (const auto& line = view_.refused_line()) painter_.line(at(line->first), at(line->second), 2.5 * scale_, colours_.error);
+        if (const auto box = view_.box()) draw_box(box->first, box->second);
     }
 
 private:
@@ -104,22 +114,22 @@ private:
             for (double k = std::ceil(low[axis] / step); k * step <= high[axis]; ++k) {
                 Point2 a = low, b = high;
                 a[axis] = b[axis] = k * step;
-                painter_.line(at(a), at(b), 1, k == 0 ? colours_.axis : colours_.grid);
+                painter_.line(at(a), at(b), 1, k == 0 ? colours_.axis : colours_.grid, k == 0 ? 0.8 : 0.45);
             }
     }
 
-    void draw_traced(const TracedImage& traced)
+    void draw_traced(const TileTrace& trace, const Image& picture)
     {
-        if (traced.image.width < 1 || !(traced.width > 0)) return;
-        // Of the plane to the picture's pixels: turned back about its centre, then from its upper left corner.
-        const double per_unit = traced.image.width / traced.width, angle = -traced.turn * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
-        const auto pixel = [&](const Point2& p) {
-            const Point2 q = p - traced.centre;
-            const Point2 back(c * q.x - s * q.y, s * q.x + c * q.y);
-            return Point2(0.5 * traced.image.width + back.x * per_unit, 0.5 * traced.image.height - back.y * per_unit);
+        const auto& p = trace.place;
+        const double det = p[0] * p[4] - p[1] * p[3];
+        // Of the plane to the picture's pixels: (u, v) is one wide, from its lower left corner.
+        const auto pixel = [&](const Point2& place) {
+            const Point2 q = plane_.plane(place) - Point2(p[2], p[5]);
+            const Point2 uv = Point2(p[4] * q.x - p[1] * q.y, p[0] * q.y - p[3] * q.x) / det;
+            return Point2(uv.x * picture.width, picture.height - uv.y * picture.width);
         };
-        const Point2 origin = pixel(plane_.plane({0, 0}));
-        painter_.picture(traced.image, origin, pixel(plane_.plane({1, 0})) - origin, pixel(plane_.plane({0, 1})) - origin, traced.opacity);
+        const Point2 origin = pixel({0, 0});
+        painter_.picture(picture, origin, pixel({1, 0}) - origin, pixel({0, 1}) - origin, trace.opacity);
     }
 
     /// Without points that are hardly apart: what is left of copies looks the same, and is drawn sooner.
@@ -132,27 +142,34 @@ private:
         return kept;
     }
 
-    bool is_seen(const std::vector<Point2>& points) const
+    /// May a copy be seen? By the circle around the tile.
+    bool is_seen(const Isometry& map) const
     {
-        Point2 low = points[0], high = low;
-        for (const Point2& p : points) low = glm::min(low, p), high = glm::max(high, p);
-        return high.x >= 0 && high.y >= 0 && low.x <= plane_.width && low.y <= plane_.height;
+        const Point2 c = at(map(middle_));
+        const double r = reach_ * plane_.pixels + 1;
+        return c.x + r >= 0 && c.y + r >= 0 && c.x - r <= plane_.width && c.y - r <= plane_.height;
     }
 
-    double fill_opacity() const { return view_.traced() ? 0.45 : 1; }
+    Colour copy_colour(int number) const
+    {
+        const std::size_t k = std::size_t(number) % 3;
+        return view_.shown().colours ? tile_.look.colours[k] : colours_.neighbours[k];
+    }
+
+    double fill_opacity() const { return view_.picture() ? 0.45 : 1; }
 
     void draw_copy(std::size_t c)
     {
+        if (!is_seen(tile_.copies[c].map)) return;
         const std::vector<Point2> points = thinned(placed(tile_.copies[c].map));
-        if (!is_seen(points)) return;
-        painter_.fill(points, colours_.neighbours[std::size_t(tile_.copies[c].colour) % 3], fill_opacity());
+        painter_.fill(points, copy_colour(tile_.copies[c].colour), fill_opacity());
         painter_.lines(points, true, scale_, colours_.neighbour_line);
     }
 
     void draw_tile()
     {
         const std::vector<Point2> points = placed({});
-        painter_.fill(points, colours_.tile, fill_opacity());
+        painter_.fill(points, view_.shown().colours ? tile_.look.colours[std::size_t(tile_.copies[0].colour) % 3] : colours_.tile, fill_opacity());
         if (view_.shown().triangles)
             for (const auto& t : tile_.triangles)
                 for (std::size_t k = 0; k < 3; ++k) {
@@ -177,6 +194,7 @@ private:
 
     void draw_small_handles(const Isometry& map)
     {
+        if (!is_seen(map)) return;
         for (const Point2& p : outline_) painter_.disc(at(map(p)), 2.2 * scale_, colours_.neighbour_line);
     }
 
@@ -276,6 +294,13 @@ private:
         draw_arrow(at(outline_[0]), at(outline_[0] + offset));
     }
 
+    void draw_box(const Point2& a, const Point2& c)
+    {
+        const std::array corners{a, Point2(c.x, a.y), c, Point2(a.x, c.y)};
+        painter_.fill(corners, colours_.selected, 0.15);
+        painter_.lines(corners, true, 1.5 * scale_, colours_.selected);
+    }
+
     /// The edges that the point would have where it may not go.
     void draw_refused()
     {
@@ -301,10 +326,22 @@ private:
     double scale_;
     FlatPainter painter_;
     std::vector<Point2> outline_; // in the tile's frame
+    Point2 middle_{0.0};
+    double reach_ = 0; // from there to the farthest of its points
 };
 
 } // namespace
 
-void draw_tile_plane(const TileView& view, bool dark, double scale, Image& image) { PlanePicture(view, dark, scale, image).draw(); }
+void TileDrawing::draw(const TileView& view, bool dark, double scale, Image& image)
+{
+    if (backdrop_.width != image.width || backdrop_.height != image.height || version_ != view.backdrop() || dark_ != dark) {
+        backdrop_ = Image(image.width, image.height);
+        PlanePicture(view, dark, scale, backdrop_).draw_backdrop();
+        version_ = view.backdrop();
+        dark_ = dark;
+    }
+    image.pixels = backdrop_.pixels;
+    PlanePicture(view, dark, scale, image).draw_foreground();
+}
 
 } // namespace druse::ui

@@ -1,12 +1,16 @@
 #include "ui/tile_source.h"
 
+#include "tile/tile_stack.h"
+
+#include <set>
+#include <utility>
 #include <variant>
 
 namespace druse::ui {
 
 namespace {
 
-constexpr std::size_t copies_drawn = 40; // beside the tile
+constexpr std::size_t copies_drawn = 100; // beside the tile: around it, up to the corners of a window
 
 TilePoint::Kind point_kind(const PointName& name)
 {
@@ -47,8 +51,19 @@ ShownTile shown_tile(const LayeredTile* tile)
     shown.aspects = tile->aspects();
     shown.lattice = tile->lattice();
     shown.stack = tile->design().stack;
+    shown.look = look(tile->design());
     if (tile->is_extruded()) shown.thickness = tile->thickness();
     return shown;
+}
+
+std::vector<int> different_solids(const LayeredTile& tile)
+{
+    const std::vector<int> members = stack_members(tile.aspects(), tile.lattice(), tile.design().stack);
+    std::set<std::pair<int, bool>> known;
+    std::vector<int> first;
+    for (int a = 0; a < tile.type().aspects(); ++a)
+        if (known.emplace(members[std::size_t(a)], reflects(tile.aspects()[std::size_t(a)])).second) first.push_back(a);
+    return first;
 }
 
 } // namespace druse::ui

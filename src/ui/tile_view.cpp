@@ -3,6 +3,8 @@
 #include "ui/layout.h"
 #include "ui/tile_source.h"
 
+#include "render/png.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,6 +27,13 @@ double distance_to_piece(const Point2& p, const Point2& a, const Point2& b)
 
 Point2 place_of(const Pointer& p) { return {p.x, p.y}; }
 
+/// Are the copies around the tile, and what lies below them, as they were?
+bool same_backdrop(const ShownTile& a, const ShownTile& b)
+{
+    if (a.type != b.type || a.size != b.size || a.parameters != b.parameters || a.outline != b.outline || !(a.look == b.look)) return false;
+    return std::equal(a.points.begin(), a.points.begin() + a.outline, b.points.begin(), [](const TilePoint& p, const TilePoint& q) { return p.at == q.at; });
+}
+
 } // namespace
 
 void TileView::redraw()
@@ -45,7 +54,10 @@ void TileView::session_changed()
     const Scene* scene = session_.scene();
     if (scene && session_.document_version() != tile_version_) {
         tile_version_ = session_.document_version();
-        tile_ = shown_tile(layered_tile(*scene));
+        ShownTile next = shown_tile(layered_tile(*scene));
+        if (!same_backdrop(next, tile_)) ++backdrop_;
+        tile_ = std::move(next);
+        load_picture();
         std::erase_if(selected_, [this](const std::string& name) { return tile_.find(name) < 0; });
         hovered_.reset();
         if (!tile_.type) framed_ = false;
@@ -62,11 +74,35 @@ void TileView::session_changed()
     redraw();
 }
 
+void TileView::load_picture()
+{
+    const std::string name = tile_.look.trace ? tile_.look.trace->image : std::string();
+    if (name == picture_name_) return;
+    picture_name_ = name;
+    picture_ = Image();
+    ++backdrop_;
+    if (name.empty()) return;
+    try {
+        picture_ = read_png(name);
+    } catch (const std::exception& e) { // the tile is none the worse for it
+        session_.say(Message::Kind::note, std::string("no picture behind the tile: ") + e.what());
+    }
+}
+
+void TileView::try_trace(const std::optional<TileTrace>& trace)
+{
+    tile_.look.trace = trace;
+    ++backdrop_;
+    load_picture();
+    redraw();
+}
+
 void TileView::resize(int width, int height)
 {
     plane_.width = std::max(width, 1);
     plane_.height = std::max(height, 1);
     if (!framed_ && tile_.type) frame();
+    ++backdrop_;
     redraw();
 }
 
@@ -74,18 +110,21 @@ void TileView::frame()
 {
     plane_.fit(tile_.low(), tile_.high(), 0.45);
     framed_ = true;
+    ++backdrop_;
     redraw();
 }
 
 void TileView::zoom(double factor)
 {
     plane_.zoom(factor, 0.5 * Point2(plane_.width, plane_.height));
+    ++backdrop_;
     redraw();
 }
 
 void TileView::set_shown(const Shown& shown)
 {
     shown_ = shown;
+    ++backdrop_;
     redraw();
 }
 
@@ -107,23 +146,25 @@ TileHit TileView::hit(const Point2& picture) const
     const std::size_t copies = shown_.neighbours ? tile_.copies.size() : std::min<std::size_t>(1, tile_.copies.size());
     const double reach = grab_radius * layout().scale / plane_.pixels;
 
+    // Of copies only those that the place is near to.
+    const Point2 low = tile_.low() - reach, high = tile_.high() + reach;
+    std::vector<std::pair<std::size_t, Point2>> near;
+    for (std::size_t c = 0; c < copies; ++c)
+        if (const Point2 back = inverse(tile_.copies[c].map)(p); back.x >= low.x && back.y >= low.y && back.x <= high.x && back.y <= high.y) near.emplace_back(c, back);
+
     double nearest = reach;
-    for (std::size_t c = 0; c < copies; ++c) { // itself first: of points that coincide its own is meant
-        const Point2 back = inverse(tile_.copies[c].map)(p);
+    for (const auto& [c, back] : near) // itself first: of points that coincide its own is meant
         for (std::size_t i = 0; i < tile_.points.size(); ++i)
             if (const double d = glm::distance(back, tile_.points[i].at); d < nearest * (1 - 1e-9)) nearest = d, found = {c, int(i), -1, false, back};
-    }
     if (found.point >= 0) return found;
-    for (std::size_t c = 0; c < copies; ++c) {
-        const Point2 back = inverse(tile_.copies[c].map)(p);
+    for (const auto& [c, back] : near)
         for (int i = 0; i < tile_.outline; ++i) {
             const Point2 &a = tile_.points[std::size_t(i)].at, &b = tile_.points[std::size_t((i + 1) % tile_.outline)].at;
             if (const double d = distance_to_piece(back, a, b); d < nearest * (1 - 1e-9)) nearest = d, found = {c, -1, i, false, back};
         }
-    }
     if (found.edge >= 0) return found;
-    for (std::size_t c = 0; c < copies; ++c)
-        if (const Point2 back = inverse(tile_.copies[c].map)(p); tile_.holds(back)) return {c, -1, -1, true, back};
+    for (const auto& [c, back] : near)
+        if (tile_.holds(back)) return {c, -1, -1, true, back};
     found.at = p;
     return found;
 }
@@ -190,8 +231,16 @@ std::string TileView::hint() const
         const char* rest = offset_->is_allowed ? "release to stack the layers so" : "here the layers would not be all alike: go on to where it is attracted";
         return fmt::format("offset {:.4g}, {:.4g}: {}", offset_->at.x, offset_->at.y, rest);
     }
+    if (box_next_ || gesture_ == Gesture::box) return "drag a box around points; Shift adds, Ctrl removes";
     if (constrain_next_ || gesture_ == Gesture::constrain) return "drag from one point to another";
-    if (!hovered_) return "wheel zooms, right drag moves the plane";
+    if (gesture_ == Gesture::trace) return "release to leave the picture here";
+    if (!hovered_) return tile_.look.trace ? "wheel zooms, right drag moves the plane, Alt and a drag the picture" : "wheel zooms, right drag moves the plane";
+    if (tool_ == Tool::heights) {
+        if (!tile_.thickness) return "Extrude gives the tile its thickness; then its points can be raised";
+        if (hovered_->point < 0) return "click points or drag a box around them; drag them up and down in space";
+        const TilePoint& p = tile_.points[std::size_t(hovered_->point)];
+        return fmt::format("{} has height {:.4g}: click selects, Shift adds", p.name, p.height);
+    }
     if (hovered_->point >= 0) {
         const TilePoint& p = tile_.points[std::size_t(hovered_->point)];
         const std::string where = fmt::format("{} at {:.4g}, {:.4g}", p.name, p.at.x, p.at.y);
@@ -204,10 +253,23 @@ std::string TileView::hint() const
     return hovered_->inside ? "click adds a point inside" : "drag moves the plane, wheel zooms";
 }
 
-std::optional<std::pair<Point2, Point2>> TileView::rubber() const
+std::string TileView::place_hint() const
+{
+    if (!pointer_ || !tile_.type) return {};
+    const Point2 p = tidy(plane_.plane(*pointer_));
+    return fmt::format("x {}  y {}  grid {}: ", p.x, p.y, grid());
+}
+
+std::optional<TileView::Line> TileView::rubber() const
 {
     if (gesture_ != Gesture::constrain || grabbed_.point < 0 || !pointer_) return {};
-    return std::pair(tile_.copies[grabbed_.copy].map(grabbed_point_.at), plane_.plane(*pointer_));
+    return Line(tile_.copies[grabbed_.copy].map(grabbed_point_.at), plane_.plane(*pointer_));
+}
+
+std::optional<TileView::Line> TileView::box() const
+{
+    if (gesture_ != Gesture::box || !pointer_) return {};
+    return Line(pressed_, *pointer_);
 }
 
 void TileView::set_tool(Tool tool)
@@ -228,18 +290,27 @@ void TileView::press(const Pointer& p)
     pressed_ = last_ = place_of(p);
     button_ = p.button;
     refused_.reset();
+    refused_line_.reset();
     if (step_ && step_->is_waiting()) return; // the last drag is being worked on still
     step_.reset();
     if (p.button != 1 || !tile_.type) {
         gesture_ = Gesture::pan;
         return;
     }
+    if (p.alt && tile_.look.trace) {
+        gesture_ = Gesture::trace;
+        grabbed_trace_ = *tile_.look.trace;
+        step_.emplace(session_);
+        return;
+    }
     grabbed_ = hit(pressed_);
     if (grabbed_.point >= 0) grabbed_point_ = tile_.points[std::size_t(grabbed_.point)];
     if (tool_ == Tool::offset) {
         gesture_ = Gesture::offset;
-        offset_start_ = tile_.stack.mode == TileStack::Mode::shift ? tile_.stack.offset : Point2(0.0);
+        offset_start_ = tile_.stack.mode == TileStack::Mode::column ? Point2(0.0) : tile_.stack.offset;
         step_.emplace(session_);
+    } else if (box_next_) {
+        gesture_ = Gesture::box;
     } else if (constrain_next_ && grabbed_.point >= 0) {
         gesture_ = Gesture::constrain;
     } else {
@@ -254,9 +325,15 @@ void TileView::drag(const Pointer& p)
     const Point2 by = *pointer_ - last_;
     last_ = *pointer_;
     if (gesture_ == Gesture::click && glm::distance(*pointer_, pressed_) >= layout().click_slop()) {
+        if (tool_ == Tool::heights) { // places in the plane are as they are
+            gesture_ = Gesture::box;
+            redraw();
+            return;
+        }
         if (grabbed_.point < 0) {
             gesture_ = Gesture::pan;
             plane_.pan(*pointer_ - pressed_);
+            ++backdrop_;
             redraw();
             return;
         }
@@ -265,7 +342,8 @@ void TileView::drag(const Pointer& p)
         grip_ = grabbed_point_.at - grabbed_.at;
         if (!p.shift && !selected_.contains(grabbed_point_.name)) select({grabbed_point_.name});
     }
-    if (gesture_ == Gesture::pan) plane_.pan(by);
+    if (gesture_ == Gesture::pan) plane_.pan(by), ++backdrop_;
+    if (gesture_ == Gesture::trace) drag_trace(*pointer_);
     if (gesture_ == Gesture::move) move_to(*pointer_);
     if (gesture_ == Gesture::offset) drag_offset(*pointer_);
     redraw();
@@ -276,20 +354,8 @@ void TileView::release(const Pointer& p)
     pointer_ = place_of(p);
     const Gesture gesture = std::exchange(gesture_, Gesture::none);
     switch (gesture) {
-    case Gesture::click:
-        if (grabbed_.point >= 0) {
-            const std::string& name = grabbed_point_.name;
-            std::set<std::string> names = p.shift || p.ctrl ? selected_ : std::set<std::string>();
-            if (p.shift && names.contains(name)) names.erase(name);
-            else if (!p.ctrl) names.insert(name);
-            else names.erase(name);
-            select(std::move(names));
-        } else if (p.shift || p.ctrl) {
-            select({});
-        } else {
-            add_point(grabbed_);
-        }
-        break;
+    case Gesture::click: click(p); break;
+    case Gesture::box: select_box(p); break;
     case Gesture::constrain: end_constraint(*pointer_); break;
     case Gesture::pan:
         if (button_ == 1 && glm::distance(*pointer_, pressed_) < layout().click_slop()) select({});
@@ -301,10 +367,52 @@ void TileView::release(const Pointer& p)
     case Gesture::move:
         if (*pointer_ != last_) move_to(*pointer_);
         break;
+    case Gesture::trace:
+        if (*pointer_ != last_) drag_trace(*pointer_);
+        break;
     case Gesture::none: break;
     }
     refused_.reset();
     hover(p);
+    redraw();
+}
+
+/// What a click on a point, or beside all points, does.
+void TileView::click(const Pointer& p)
+{
+    if (grabbed_.point >= 0) {
+        const std::string& name = grabbed_point_.name;
+        std::set<std::string> names = p.shift || p.ctrl ? selected_ : std::set<std::string>();
+        if (p.shift && names.contains(name)) names.erase(name);
+        else if (!p.ctrl) names.insert(name);
+        else names.erase(name);
+        select(std::move(names));
+    } else if (p.shift || p.ctrl || tool_ == Tool::heights) {
+        if (!p.shift) select({});
+    } else {
+        add_point(grabbed_);
+    }
+}
+
+/// Of the tile itself: its copies show the same points.
+void TileView::select_box(const Pointer& p)
+{
+    box_next_ = false;
+    const Point2 a = plane_.plane(pressed_), b = plane_.plane(place_of(p)), low = glm::min(a, b), high = glm::max(a, b);
+    std::set<std::string> names = p.shift || p.ctrl ? selected_ : std::set<std::string>();
+    for (const TilePoint& point : tile_.points) {
+        if (point.at.x < low.x || point.at.y < low.y || point.at.x > high.x || point.at.y > high.y) continue;
+        if (p.ctrl) names.erase(point.name);
+        else names.insert(point.name);
+    }
+    select(std::move(names));
+}
+
+void TileView::start_box()
+{
+    if (gesture_ != Gesture::none || !tile_.type) return;
+    constrain_next_ = false;
+    box_next_ = true;
     redraw();
 }
 
@@ -327,21 +435,23 @@ void TileView::leave()
 void TileView::wheel(double notches, const Pointer& p)
 {
     plane_.zoom(std::pow(wheel_zoom, -notches), place_of(p));
+    ++backdrop_;
     redraw();
 }
 
 bool TileView::cancel()
 {
-    const bool was_constraining = std::exchange(constrain_next_, false);
+    const bool was_next = std::exchange(constrain_next_, false) | std::exchange(box_next_, false);
     const Gesture gesture = std::exchange(gesture_, Gesture::none);
     refused_.reset();
-    if ((gesture == Gesture::move || gesture == Gesture::offset) && step_) {
+    refused_line_.reset();
+    if ((gesture == Gesture::move || gesture == Gesture::offset || gesture == Gesture::trace) && step_) {
         step_->cancel();
         step_.reset();
     }
     offset_.reset();
     redraw();
-    if (gesture != Gesture::none || was_constraining) return true;
+    if (gesture != Gesture::none || was_next) return true;
     if (tool_ == Tool::offset) {
         tool_ = Tool::edit;
         return true;

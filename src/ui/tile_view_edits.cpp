@@ -6,8 +6,10 @@
 #include "tile/tile_stack.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace druse::ui {
@@ -69,13 +71,28 @@ void TileView::drag_offset(const Point2& picture)
     constexpr double attraction = 10; // pixels
     const Point2 wanted = offset_start_ + plane_.plane(picture) - plane_.plane(pressed_);
     offset_ = attract(tile_, wanted, attraction * layout().scale / plane_.pixels);
-    if (!offset_->is_allowed && IsohedralOffsets(tile_.aspects, tile_.lattice, {}).freedom() == 2) offset_ = TileOffset{tidy(wanted), true};
-    if (offset_->is_allowed) step_->send(fmt::format("tile.stack mode=shift offset={},{}", offset_->at.x, offset_->at.y));
+    if (!offset_->is_allowed) return;
+    if (offset_->at == wanted) offset_->at = tidy(wanted); // nothing is near
+    constexpr std::array modes{"shift", "shift", "mirror", "free"}; // a column that is dragged is a shift
+    const std::size_t mode = std::size_t(tile_.stack.mode);
+    std::string command = fmt::format("tile.stack mode={} offset={},{}", modes[mode], offset_->at.x, offset_->at.y);
+    if (tile_.stack.mode == TileStack::Mode::mirror) command += fmt::format(" axis={}", tile_.stack.axis);
+    step_->send(std::move(command));
+}
+
+void TileView::drag_trace(const Point2& picture)
+{
+    const Point2 by = tidy(plane_.plane(picture) - plane_.plane(pressed_));
+    std::array<double, 6> place = grabbed_trace_.place;
+    place[2] += by.x;
+    place[5] += by.y;
+    step_->send(fmt::format("tile.trace place={}", fmt::join(place, ",")));
 }
 
 void TileView::start_constraint()
 {
     if (gesture_ != Gesture::none || tool_ != Tool::edit) return;
+    box_next_ = false;
     constrain_next_ = true;
     redraw();
 }
@@ -85,22 +102,28 @@ void TileView::end_constraint(const Point2& picture)
     constrain_next_ = false;
     const int to = point_near(plane_.plane(picture), grabbed_.copy);
     if (to < 0 || to == grabbed_.point) return;
+    const Isometry map = tile_.copies[grabbed_.copy].map;
+    const Line line(map(grabbed_point_.at), map(tile_.points[std::size_t(to)].at));
     session_.run(fmt::format("tile.constrain from={} to={}", grabbed_point_.name, tile_.points[std::size_t(to)].name));
+    session_.wait();
+    if (session_.message().kind == Message::Kind::error && !session_.message().text.empty()) refused_line_ = line;
 }
 
 void TileView::remove()
 {
     std::set<std::string> names = selected_;
     if (names.empty() && hovered_ && hovered_->point >= 0) names.insert(tile_.points[std::size_t(hovered_->point)].name);
-    // From the last to the first: the names of those before stay what they are.
-    for (auto p = tile_.points.rbegin(); p != tile_.points.rend(); ++p)
-        if (!names.contains(p->name)) names.erase(p->name);
-    std::vector<std::string> commands;
-    for (auto p = tile_.points.rbegin(); p != tile_.points.rend(); ++p) {
-        if (!names.contains(p->name)) continue;
-        if (p->kind == TilePoint::Kind::interior) commands.push_back("tile.point_remove point=" + p->name);
-        else if (p->kind == TilePoint::Kind::path) commands.push_back("tile.edge_remove point=" + p->name);
+    // Each once, however many of its images are selected; from the last to the first, so that the names of those before stay what they are.
+    std::set<PointName> points;
+    for (const TilePoint& p : tile_.points) {
+        if (!names.contains(p.name) || (p.kind != TilePoint::Kind::interior && p.kind != TilePoint::Kind::path)) continue;
+        PointName name = PointName::parse(p.name);
+        if (p.kind == TilePoint::Kind::path) name.kind = PointName::Kind::path, name.edge = -1;
+        points.insert(name);
     }
+    std::vector<std::string> commands;
+    for (auto name = points.rbegin(); name != points.rend(); ++name)
+        commands.push_back((name->kind == PointName::Kind::interior ? "tile.point_remove point=" : "tile.edge_remove point=") + name->text());
     if (commands.empty() && !names.empty()) note("corners and middles of paths stay");
     select({});
     for (const std::string& command : commands) {

@@ -28,32 +28,34 @@ namespace {
 
 // Seconds.
 constexpr double tile_progress_tick = 0.1, tile_frame_time = 1.0 / 60;
-constexpr double quick_relief = 0.004; // one that takes longer follows a drag in the plane when that pauses
+constexpr double quick_relief = 0.006; // one that takes longer to make and to draw follows a drag in the plane when that pauses
 constexpr double relief_delay = 0.15;
+constexpr double settle_delay = 0.1; // panels follow a drag when it has ended
 
 double now_in_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 } // namespace
 
 TileWindow::TileWindow(const Registry& registry, Preferences& preferences, bool test, int w, int h)
-    : Fl_Double_Window(w, h, "Tile editor"), preferences_(preferences), test_(test), session_(registry), files_(session_), plane_(session_), space_(session_),
+    : EditorWindow(w, h, "Tile editor"), preferences_(preferences), test_(test), session_(registry), files_(session_), plane_(session_), space_(session_),
       pictures_([this](const Mesh& solid, int size) { return viewport_.picture_of(solid, size); }), canvas_(plane_, 0, 0, 10, 10),
-      viewport_(session_, space_, 0, 0, 10, 10), history_(session_, 0, 0, 1, 1), history_section_("History", history_), operator_choice_(0, 0, 1, 1),
+      viewport_(session_, space_, 0, 0, 10, 10), neighbours_label_(0, 0, 1, 1, "neighbours"), neighbours_(0, 0, 1, 1), history_(session_, 0, 0, 1, 1), history_section_("History", history_), operator_choice_(0, 0, 1, 1),
       parameters_(session_, pictures_, 0, 0, 1, 1), history_divider_(true), status_(session_, 0, 0, 1, 1), show_progress_([this] {
           status_.update_progress();
           if (session_.is_working()) show_progress_.start(tile_progress_tick);
       }),
-      animate_([this] { space_.animate(now_in_seconds()); }), follow_relief_([this] { follow_relief(); }), right_width_(layout().tile_side_width()), history_height_(layout().px(180))
+      animate_([this] { space_.animate(now_in_seconds()); }), follow_relief_([this] { follow_relief(); }), settle_([this] { refresh_panels(); }), right_width_(layout().tile_side_width()), history_height_(layout().px(180))
 {
     end();
     Fl_Group::current(nullptr);
     for (const Operator& op : registry.operators())
         if (op.family() == "tile") operators_.push_back(&op);
     files_.usual_extension = ".tile";
+    session_.leave_out_sources();
     actions_ = make_actions();
     menu_ = std::make_unique<Menu>(no_operators_, actions_, 0, 0, w, layout().menu_height());
     make_bar();
-    for (Fl_Widget* part : std::initializer_list<Fl_Widget*>{menu_.get(), &bar_, &canvas_, &viewport_, &history_section_, &operator_choice_, &parameters_, &middle_,
+    for (Fl_Widget* part : std::initializer_list<Fl_Widget*>{menu_.get(), &bar_, &canvas_, &viewport_, &neighbours_label_, &neighbours_, &history_section_, &operator_choice_, &parameters_, &middle_,
                                                              &right_divider_, &history_divider_, &status_})
         add(part);
     resizable(nullptr);
@@ -75,10 +77,20 @@ TileWindow::TileWindow(const Registry& registry, Preferences& preferences, bool 
     operator_choice_.callback([](Fl_Widget*, void* p) {
         auto* self = static_cast<TileWindow*>(p);
         const int chosen = self->operator_choice_.value();
-        if (chosen > 0) self->choose(*self->operators_[std::size_t(chosen) - 1]);
-        else self->session_.choose(nullptr);
+        if (chosen > 0) {
+            const Operator& op = *self->operators_[std::size_t(chosen) - 1];
+            if (self->on_event) self->on_event("choose " + op.name);
+            self->choose(op);
+        } else {
+            self->session_.choose(nullptr);
+        }
     }, this);
 
+    neighbours_label_.labelsize(layout().small_font());
+    neighbours_label_.align(FL_ALIGN_LEFT | FL_ALIGN_INSIDE);
+    neighbours_.tooltip("The tiles around it in space: 0 hides them, 1 is touching");
+    neighbours_.set_range(0, 1, 0.05);
+    neighbours_.on_slide = [this](double value) { relief_.neighbours = value, follow_relief(); };
     space_.stand_in = [this]() -> const DrawLists* { return shows_mesh() ? nullptr : &relief_.lists; };
     auto tool = std::make_unique<ReliefTool>(session_, space_.camera(), plane_, relief_);
     relief_tool_ = tool.get();
@@ -97,7 +109,10 @@ TileWindow::TileWindow(const Registry& registry, Preferences& preferences, bool 
         if (on_event) on_event(line);
     };
     plane_.on_select = [this] { take_selection(); };
-    canvas_.on_pointer = [this] { update_hint(); };
+    canvas_.on_pointer = [this] {
+        if (panels_are_old_ && !plane_.is_dragging()) refresh_panels();
+        update_hint();
+    };
     viewport_.on_frame = [this](int frame) {
         if (on_event) on_event("frame " + std::to_string(frame));
         if (space_.is_animating()) animate_.start(tile_frame_time);
@@ -132,7 +147,7 @@ TileWindow::~TileWindow()
 void TileWindow::show()
 {
     const bool first = !shown();
-    Fl_Double_Window::show();
+    EditorWindow::show();
     if (first) viewport_.show();
     canvas_.take_focus();
 }
@@ -141,7 +156,7 @@ void TileWindow::show()
 
 void TileWindow::resize(int x, int y, int w, int h)
 {
-    Fl_Double_Window::resize(x, y, w, h);
+    EditorWindow::resize(x, y, w, h);
     arrange();
 }
 
@@ -156,7 +171,10 @@ void TileWindow::arrange()
     bar_.resize(0, l.menu_height(), w(), bar);
     canvas_.resize(0, top, left, bottom - top);
     middle_.resize(left, top, line, bottom - top);
-    viewport_.resize(left + line, top, room - left, bottom - top);
+    const int strip = bottom - l.row_height(), label = l.px(84), pad = l.margin();
+    viewport_.resize(left + line, top, room - left, strip - top);
+    neighbours_label_.resize(left + line + pad, strip, label, l.row_height());
+    neighbours_.resize(left + line + pad + label, strip, std::max(1, std::min(l.px(220), room - left - label - 2 * pad)), l.row_height());
     const int side = w() - right_width_;
     right_divider_.resize(side - line, top, line, bottom - top);
     history_height_ = std::clamp(history_height_, l.px(90), std::max(l.px(90), bottom - top - l.px(220)));
@@ -182,10 +200,27 @@ bool TileWindow::shows_mesh() const
 
 void TileWindow::refresh()
 {
+    relief_.is_shown = !shows_mesh();
     follow_tile();
     plane_.session_changed();
-    space_.session_changed();
     relief_tool_->go_on();
+    if (plane_.is_dragging() || relief_tool_->is_raising()) { // with each step only what is dragged is drawn
+        panels_are_old_ = true;
+        settle_.start(settle_delay);
+        return;
+    }
+    refresh_panels();
+}
+
+void TileWindow::refresh_panels()
+{
+    if (plane_.is_dragging() || relief_tool_->is_raising()) {
+        settle_.start(settle_delay);
+        return;
+    }
+    settle_.stop();
+    panels_are_old_ = false;
+    space_.session_changed();
     copy_label((session_.title() + " - Tile editor").c_str());
     const ShownTile& tile = plane_.tile();
     bar_.set_type(tile.type ? tile.type->name() : std::string());
@@ -208,7 +243,7 @@ void TileWindow::follow_tile()
     const Scene* scene = session_.scene();
     if (!scene || session_.document_version() == relief_version_) return;
     relief_version_ = session_.document_version();
-    if (plane_.is_dragging() && relief_seconds_ > quick_relief) follow_relief_.start(relief_delay);
+    if (plane_.is_dragging() && relief_seconds_ + viewport_.frame_seconds() > quick_relief) follow_relief_.start(relief_delay);
     else follow_relief();
 }
 
@@ -223,7 +258,7 @@ void TileWindow::follow_relief()
     const LayeredTile* tile = layered_tile(*scene);
     relief_.follow(tile);
     relief_seconds_ = now_in_seconds() - start;
-    status_.update(preferences_.unit);
+    if (!relief_tool_->is_raising()) status_.update(preferences_.unit);
     if (!tile) framed_ = false;
     else if (!framed_ || shows_mesh() || tile->is_extruded() != was_extruded_) space_.frame_all(), framed_ = true;
     was_extruded_ = tile && tile->is_extruded();
@@ -240,6 +275,9 @@ std::vector<StatusPart> TileWindow::facts() const
     if (tile.thickness) {
         if (!relief_.trouble.empty()) parts.push_back({relief_.trouble, true});
         else if (relief_.thinnest) parts.push_back({fmt::format("thickness {:.4g}, least {:.4g}", *tile.thickness, *relief_.thinnest)});
+        if (relief_.volume) parts.push_back({fmt::format("volume {:.5g} {}³", *relief_.volume, preferences_.unit)});
+        if (relief_.trouble.empty() && relief_.solids > 1) parts.push_back({fmt::format("fills space with {} solids", relief_.solids)});
+        else if (relief_.trouble.empty() && relief_.solids == 1) parts.push_back({"fills space"});
     }
     if (!plane_.selected().empty()) parts.push_back({fmt::format("sel {}", plane_.selected().size())});
     return parts;
@@ -248,7 +286,7 @@ std::vector<StatusPart> TileWindow::facts() const
 void TileWindow::update_hint()
 {
     const bool over_space = Fl::belowmouse() == &viewport_;
-    status_.set_hint(over_space ? space_.hint() : plane_.hint());
+    status_.set_hint(over_space ? space_.hint() : plane_.place_hint() + plane_.hint());
 }
 
 /// The heights of what is selected are those that the panel is about.
@@ -260,6 +298,8 @@ void TileWindow::pass_selection()
 void TileWindow::take_selection()
 {
     pass_selection();
+    plane_.forget_box(); // what was to be done by one is done
+    space_.forget_box();
     viewport_.redraw();
     status_.update(preferences_.unit);
     if (!on_event) return;
@@ -296,10 +336,9 @@ void TileWindow::choose_type()
     const auto type = choose_tile_type(tile.type ? tile.type->name() : std::string());
     if (!type) return;
     constexpr double usual_size = 20;
-    session_.run(tile.type ? "tile.type type=" + *type : fmt::format("tile.new type={} size={}", *type, usual_size));
+    session_.run_chosen(tile.type ? "tile.type type=" + *type : fmt::format("tile.new type={} size={}", *type, usual_size));
     session_.wait();
     plane_.frame();
-    if (!plane_.tile().thickness) choose_by_name("tile.extrude");
     canvas_.take_focus();
 }
 
@@ -312,36 +351,91 @@ void TileWindow::select_all(bool outline, bool inside)
     plane_.select(std::move(names));
 }
 
-void TileWindow::edit_traced_image()
+void TileWindow::set_tool(TileView::Tool tool)
 {
-    if (ask_for_traced_image(plane_.traced(), plane_.tile(), [this] { canvas_.redraw(); })) canvas_.redraw();
+    plane_.set_tool(tool);
+    if (tool == TileView::Tool::heights && plane_.tile().type && !plane_.tile().thickness) choose_by_name("tile.extrude");
+    update_hint();
     bar_.refresh();
+}
+
+/// Is there a tile? The status line says so if not.
+bool TileWindow::has_tile()
+{
+    if (plane_.tile().type) return true;
+    session_.say(Message::Kind::note, "choose a type of tile first");
+    refresh();
+    return false;
+}
+
+void TileWindow::ask_for_picture()
+{
+    if (!has_tile()) return;
+    if (const auto command = ask_for_trace(plane_, session_.folder())) session_.run_chosen(*command);
+    bar_.refresh();
+}
+
+void TileWindow::export_drawing()
+{
+    if (!has_tile()) return;
+    std::filesystem::path proposal = session_.file().empty() ? session_.folder() / "tiling" : session_.file();
+    if (const auto file = ask_where_to_save("Export drawing", proposal.replace_extension(".svg"))) session_.export_to(*file);
 }
 
 void TileWindow::export_tile()
 {
-    if (!plane_.tile().type) {
-        session_.say(Message::Kind::note, "choose a type of tile first");
-        refresh();
-        return;
-    }
-    const auto command = ask_how_to_export(facts());
-    if (!command) return;
+    if (!has_tile()) return;
+    const Scene* scene = session_.scene();
+    if (!scene) return;
+    const std::vector<int> solids = different_solids(*layered_tile(*scene));
+    const auto asked = ask_how_to_export(facts(), solids.size());
+    if (!asked) return;
+    if (asked->to_files) export_solids(asked->command, solids);
+    else if (make_solid(asked->command)) hand_over();
+}
+
+/// Runs the command, if it is not what was done last. @return false if it is refused: the status line says why
+bool TileWindow::make_solid(const std::string& command)
+{
     const Display& display = session_.display();
-    const bool is_last = display.done > 0 && display.steps[display.done - 1] == *command;
-    if (!is_last) {
-        const std::size_t before = display.done;
-        session_.run(*command);
+    if (display.done > 0 && display.steps[display.done - 1] == command) return true;
+    const std::size_t before = display.done;
+    session_.run_chosen(command);
+    session_.wait();
+    return session_.display().done != before;
+}
+
+/// Each one in a file of its own, by the aspect that it stands for.
+void TileWindow::export_solids(const std::string& command, const std::vector<int>& aspects)
+{
+    std::filesystem::path proposal = session_.file().empty() ? session_.folder() / "tile" : session_.file();
+    const auto file = ask_where_to_save("Export", proposal.replace_extension(".stl"));
+    if (!file) return;
+    for (std::size_t k = 0; k < aspects.size(); ++k) {
+        if (!make_solid(k == 0 ? command : fmt::format("{} aspect={}", command, aspects[k]))) return;
+        std::filesystem::path name = *file;
+        if (k > 0) name.replace_filename(fmt::format("{}-{}{}", file->stem().string(), k + 1, file->extension().string()));
+        session_.export_to(name);
         session_.wait();
-        if (session_.display().done == before) return; // the status line says why
+        if (session_.message().kind == Message::Kind::error) return;
     }
+    if (aspects.size() > 1) session_.say(Message::Kind::note, fmt::format("exported {} and {} more", file->filename().string(), aspects.size() - 1)), refresh();
+}
+
+void TileWindow::hand_over()
+{
     try {
-        const std::filesystem::path folder = session_.file().empty() ? std::filesystem::current_path() : session_.file().parent_path();
-        if (on_export) on_export({"exported tile", {}, folder, session_.script()});
+        if (on_event) on_event("handed over");
+        if (on_export) on_export({"exported tile", {}, session_.folder(), session_.script()});
     } catch (const CommandError& e) {
         session_.say(Message::Kind::error, e.what());
         refresh();
     }
+}
+
+bool TileWindow::is_in_view(int x, int y) const
+{
+    return y >= canvas_.y() && y < canvas_.y() + canvas_.h() && x < viewport_.x() + viewport_.w();
 }
 
 void TileWindow::close()
@@ -360,13 +454,13 @@ int TileWindow::handle(int event)
         return 1; // else it would close the window
     }
     if (event == FL_SHORTCUT) {
-        if (Fl_Double_Window::handle(event)) return 1;
+        if (EditorWindow::handle(event)) return 1;
         if (Fl::event_key() == 'y' && Fl::event_state(FL_CTRL)) session_.redo();
         else if (Fl::event_key() == FL_BackSpace) plane_.remove();
         else return 0;
         return 1;
     }
-    const int handled = Fl_Double_Window::handle(event);
+    const int handled = EditorWindow::handle(event);
     if (event == FL_MOVE || event == FL_DRAG || event == FL_RELEASE || event == FL_PUSH) update_hint();
     return handled;
 }

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "ui/action.h"
 #include "ui/divider.h"
+#include "ui/editor_window.h"
 #include "ui/file_commands.h"
 #include "ui/history_panel.h"
-#include "ui/menu.h"
 #include "ui/parameter_panel.h"
 #include "ui/pictures.h"
 #include "ui/preferences.h"
 #include "ui/relief_picture.h"
 #include "ui/section.h"
 #include "ui/session.h"
+#include "ui/slider.h"
 #include "ui/status_bar.h"
 #include "ui/tile_bar.h"
 #include "ui/tile_canvas.h"
@@ -19,11 +19,10 @@
 #include "ui/view.h"
 #include "ui/viewport.h"
 
+#include <FL/Fl_Box.H>
 #include <FL/Fl_Choice.H>
-#include <FL/Fl_Double_Window.H>
 
 #include <functional>
-#include <memory>
 #include <string>
 
 namespace druse::ui {
@@ -31,7 +30,7 @@ namespace druse::ui {
 class ReliefTool;
 
 /// The tile editor: a document of its own with a tile, its plane on the left, the tile in space beside it, and what operators of tiles take.
-class TileWindow : public Fl_Double_Window {
+class TileWindow : public EditorWindow {
 public:
     TileWindow(const Registry& registry, Preferences& preferences, bool test, int w, int h);
     ~TileWindow() override;
@@ -47,13 +46,17 @@ public:
     /// A tile is done: its history, which ends with its mesh.
     std::function<void(Script)> on_export;
 
-    Session& session() { return session_; }
+    Session& session() override { return session_; }
     TileView& plane() { return plane_; }
     View& space() { return space_; }
     const TileCanvas& canvas() const { return canvas_; }
     const Viewport& viewport() const { return viewport_; }
 
-    void open(const std::filesystem::path& file);
+    void open(const std::filesystem::path& file) override;
+    void choose(const Operator& op) override;
+    bool is_in_view(int x, int y) const override;
+    /// The mesh that was made is for the main window, with the history that it comes of.
+    void hand_over();
     /// Asks about unsaved work. @return true if it may go
     bool may_close() { return files_.may_leave(); }
 
@@ -63,19 +66,24 @@ private:
     void make_bar();
     void arrange();
     void refresh();
+    void refresh_panels();
     void update_hint();
     void follow_tile();
     void follow_relief();
     bool shows_mesh() const;
     std::vector<StatusPart> facts() const;
     void choose_type();
-    void choose(const Operator& op);
     void choose_by_name(const char* name);
     void pass_selection();
     void take_selection();
     void select_all(bool outline, bool inside);
-    void edit_traced_image();
+    void set_tool(TileView::Tool tool);
+    void ask_for_picture();
+    void export_drawing();
     void export_tile();
+    bool has_tile();
+    bool make_solid(const std::string& command);
+    void export_solids(const std::string& command, const std::vector<int>& aspects);
     void escape();
     void close();
 
@@ -92,20 +100,21 @@ private:
     std::vector<const Operator*> operators_; // of tiles
 
     Registry no_operators_; // the menu has those of tiles as its own entries
-    Actions actions_;
-    std::unique_ptr<Menu> menu_;
     Pictures pictures_;
     TileBar bar_;
     TileCanvas canvas_;
     Viewport viewport_;
+    Fl_Box neighbours_label_;
+    Slider neighbours_; // in space, how large
     HistoryPanel history_;
     Section history_section_;
     Fl_Choice operator_choice_;
     ParameterPanel parameters_;
     Divider middle_, right_divider_, history_divider_;
     StatusBar status_;
-    Timer show_progress_, animate_, follow_relief_;
+    Timer show_progress_, animate_, follow_relief_, settle_;
     double relief_seconds_ = 0; // that the last one took
+    bool panels_are_old_ = false;
     double split_ = 0.5; // of the room for the two views
     int right_width_, history_height_;
     bool closing_ = false;

@@ -14,7 +14,8 @@ Actions TileWindow::make_actions()
     list.push_back({"File/Open…", FL_CTRL + 'o', [this] { files_.open(); }});
     list.push_back({"File/Save", FL_CTRL + 's', [this] { files_.save(); }});
     list.push_back({.path = "File/Save as…", .shortcut = FL_CTRL + FL_SHIFT + 's', .run = [this] { files_.save_as(); }, .divider = true});
-    list.push_back({.path = "File/Export tile…", .shortcut = FL_CTRL + 'e', .run = [this] { export_tile(); }, .divider = true});
+    list.push_back({"File/Export tile…", FL_CTRL + 'e', [this] { export_tile(); }});
+    list.push_back({.path = "File/Export drawing…", .run = [this] { export_drawing(); }, .divider = true});
     list.push_back({"File/Close", FL_CTRL + 'w', [this] { close(); }});
     list.push_back({"Edit/Undo", FL_CTRL + 'z', [this] { session_.undo(); }});
     list.push_back({.path = "Edit/Redo", .shortcut = FL_CTRL + FL_SHIFT + 'z', .run = [this] { session_.redo(); }, .divider = true});
@@ -23,7 +24,12 @@ Actions TileWindow::make_actions()
     list.push_back({"Edit/Select all", 'a', [this] { select_all(true, true); }});
     list.push_back({"Edit/Select the inside", 'i', [this] { select_all(false, true); }});
     list.push_back({"Edit/Select the outline", 'o', [this] { select_all(true, false); }});
+    list.push_back({"Edit/Select by a box", 'b', [this] { plane_.start_box(), space_.start_box_select(), update_hint(); }});
     list.push_back({"Edit/Select none", 0, [this] { plane_.select({}); }});
+    for (const auto& [path, key, tool] : {std::tuple("Tile/Edit the plane", FL_F + 2, TileView::Tool::edit), std::tuple("Tile/Select heights", FL_F + 3, TileView::Tool::heights),
+                                          std::tuple("Tile/Drag the layer above", FL_F + 4, TileView::Tool::offset)})
+        list.push_back({path, key, [this, t = tool] { set_tool(t); }, [this, t = tool] { return plane_.tool() == t; }});
+    list.back().divider = true;
     for (const Operator* op : operators_) list.push_back({"Tile/" + op->title(), 0, [this, op] { choose(*op); }});
     add_plane_actions(list);
     return list;
@@ -48,9 +54,10 @@ void TileWindow::add_plane_actions(Actions& list)
     toggle("View/Triangles", 't', &TileView::Shown::triangles);
     toggle("View/Centres of rotation", 'r', &TileView::Shown::centres);
     toggle("View/Arrows to neighbours", 'm', &TileView::Shown::arrows);
+    toggle("View/Colours of the tiling", 'l', &TileView::Shown::colours);
     toggle("View/Grid", 'g', &TileView::Shown::grid);
     toggle("View/Snap to the grid", 's', &TileView::Shown::snap);
-    list.push_back({.path = "View/Tracing image…", .run = [this] { edit_traced_image(); }, .divider = true});
+    list.push_back({.path = "View/Tracing image…", .shortcut = 'p', .run = [this] { ask_for_picture(); }, .divider = true});
     for (const auto& [path, key, angles] : {std::tuple("View/Front", '1', ViewAngles{0, 0}), std::tuple("View/Right", '3', ViewAngles{90, 0}),
                                             std::tuple("View/Top", '7', ViewAngles{0, 90})})
         list.push_back({path, key, [this, a = angles] { space_.look(a); }});
@@ -61,10 +68,11 @@ void TileWindow::make_bar()
 {
     bar_.on_type = [this] { choose_type(); };
     const auto tool = [this](const char* label, const char* tip, TileView::Tool kind, bool apart) {
-        bar_.add_button(label, tip, [this, kind] { plane_.set_tool(kind), update_hint(); }, [this, kind] { return plane_.tool() == kind; }, apart);
+        bar_.add_button(label, tip, [this, kind] { set_tool(kind); }, [this, kind] { return plane_.tool() == kind; }, apart);
     };
-    tool("Edit", "Click adds a point, drag moves one, c and a drag constrains, Delete removes", TileView::Tool::edit, true);
-    tool("Offset", "Drag the layer above over the tiling", TileView::Tool::offset, false);
+    tool("Plane", "Click adds a point, drag moves one, c and a drag constrains, Delete removes (F2)", TileView::Tool::edit, true);
+    tool("Heights", "Click points or drag a box around them, then raise them in space (F3)", TileView::Tool::heights, false);
+    tool("Offset", "Drag the layer above over the tiling (F4)", TileView::Tool::offset, false);
     const auto toggle = [this](const char* label, const char* tip, bool TileView::Shown::*what, bool apart) {
         bar_.add_button(label, tip,
                         [this, what] {
@@ -78,9 +86,10 @@ void TileWindow::make_bar()
     toggle("Triangles", "The Delaunay triangulation of the tile (T)", &TileView::Shown::triangles, false);
     toggle("Centres", "About which points the tiling turns (R)", &TileView::Shown::centres, false);
     toggle("Arrows", "Which motions lead to the neighbours (M)", &TileView::Shown::arrows, false);
+    toggle("Colours", "The tiling in its colours, which tile.colors sets (L)", &TileView::Shown::colours, false);
     toggle("Grid", "Lines at round coordinates (G)", &TileView::Shown::grid, true);
     toggle("Snap", "New places are those of the grid (S)", &TileView::Shown::snap, false);
-    bar_.add_button("Image…", "A picture to draw after, behind the tile", [this] { edit_traced_image(); }, [this] { return plane_.traced().has_value(); }, true);
+    bar_.add_button("Image…", "A picture to draw after, behind the tile", [this] { ask_for_picture(); }, [this] { return plane_.tile().look.trace.has_value(); }, true);
     bar_.add_button("Export tile…", "Make its mesh a document of the main window (Ctrl+E)", [this] { export_tile(); }, {}, false, true);
     bar_.refresh();
 }

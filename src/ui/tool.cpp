@@ -6,6 +6,7 @@
 #include "ui/face_pair_tool.h"
 #include "ui/face_tool.h"
 #include "ui/paint_tool.h"
+#include "ui/pane_tool.h"
 #include "ui/rind_tool.h"
 
 namespace druse::ui {
@@ -69,6 +70,7 @@ std::vector<Face> Tool::group_of(Face f) const
 
 std::unique_ptr<Tool> tool_for(const Operator* op, Session& session, const Camera& camera, const ToolSettings& settings)
 {
+    if (const auto act = op ? PaneTool::act_of(op->name) : std::nullopt) return std::make_unique<PaneTool>(*act, session, camera);
     switch (op ? click_of(*op) : Click::none) {
     case Click::face: return std::make_unique<FaceTool>(session, camera);
     case Click::rind: return std::make_unique<RindTool>(session, camera);
@@ -83,6 +85,6 @@ std::unique_ptr<Tool> tool_for(const Operator* op, Session& session, const Camer
     return nullptr;
 }
 
-bool acts_on_click(const Operator& op) { return click_of(op) != Click::none; }
+bool acts_on_click(const Operator& op) { return click_of(op) != Click::none || PaneTool::act_of(op.name).has_value(); }
 
 } // namespace druse::ui

@@ -21,6 +21,7 @@ struct Target {
     std::optional<Edge> edge;
     std::optional<Vertex> vertex;
     std::optional<Face> face; // the one under the pointer itself
+    std::string name;         // of what is none of these, as the event log calls it
     friend bool operator==(const Target&, const Target&) = default;
 };
 
@@ -50,6 +51,8 @@ public:
     virtual void add_pointer(const Pointer&, Overlay&) const {}
     /// Draws over the mesh what clicks before this one have marked.
     virtual void add_marks(Overlay&) const {}
+    /// A box was dragged, between two corners in pixels. @return false if it is not for this tool
+    virtual bool take_box(const Point2& /*low*/, const Point2& /*high*/, const Pointer& /*end*/) { return false; }
     /// A click beside everything.
     virtual void act_on_nothing() {}
     /// Escape between two clicks: forgets the first one. @return false if there is none
@@ -58,6 +61,8 @@ public:
     virtual std::string hint() const = 0;
     /// The same while the button is held.
     virtual std::string pressed_hint() const { return "release to act; beside the mesh or Escape cancels"; }
+    /// Does what it has hold of stay what it is when the shape changes? Else a press ends then.
+    virtual bool holds_through_edits() const { return false; }
     /// Does it only select? Then a drag that starts beside the mesh turns the camera, and so does one that starts on it with Alt.
     virtual bool only_selects() const { return false; }
 

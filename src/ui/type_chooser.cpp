@@ -2,9 +2,7 @@
 
 #include "ui/draw.h"
 #include "ui/layout.h"
-#include "ui/list_view.h"
-#include "ui/panel.h"
-#include "ui/scroll_bar.h"
+#include "ui/picture_grid.h"
 #include "ui/theme.h"
 #include "ui/type_picture.h"
 
@@ -35,155 +33,52 @@ struct RotationWord {
 constexpr std::array<RotationWord, 6> rotation_words{{
     {0, "anything"}, {1, "nothing"}, {2, "half turns"}, {3, "thirds of a turn"}, {4, "quarter turns"}, {6, "sixths of a turn"}}};
 
-/// The types in rows; arrow keys go from one to the next, a click or Enter takes one.
-class TypeGrid : public Panel {
+/// Types by a picture of each.
+class TypeGrid : public PictureGrid {
 public:
-    static constexpr int columns = 9;
-
-    TypeGrid(const std::string& current, int x, int y, int rows) : Panel(x, y, columns * cell_width() + layout().scrollbar(), rows * cell_height())
+    TypeGrid(const std::string& current, int x, int y, int rows) : PictureGrid(x, y, columns, rows, cell_width(), cell_height())
     {
-        end();
-        bar_.callback([](Fl_Widget* bar, void*) { bar->parent()->redraw(); });
-        bar_.color(theme().sunken);
-        add(bar_);
         for (const IsohedralType& type : isohedral_types())
-            if (type.name() == current) marked_ = type.number;
-        set_visible_focus();
-        arrange();
+            if (type.name() == current) last_ = type.number;
     }
-
-    std::optional<std::string> chosen;
-    std::function<void(const IsohedralType&)> on_mark;
 
     void show_types(std::vector<int> numbers)
     {
         numbers_ = std::move(numbers);
-        if (!numbers_.empty() && std::ranges::find(numbers_, marked_) == numbers_.end()) marked_ = numbers_[0];
-        bar_.set((int(numbers_.size()) + columns - 1) / columns * cell_height(), cell_height() / 3);
-        bar_.is_needed() ? bar_.show() : bar_.hide();
-        show_marked();
+        const auto place = std::ranges::find(numbers_, last_);
+        set_cells(int(numbers_.size()), place == numbers_.end() ? 0 : int(place - numbers_.begin()));
     }
 
-    int handle(int event) override
+    const IsohedralType& marked_type()
     {
-        switch (event) {
-        case FL_ENTER:
-        case FL_FOCUS:
-        case FL_UNFOCUS: return 1;
-        case FL_MOVE:
-            if (const int cell = cell_at(Fl::event_x(), Fl::event_y()); cell >= 0) mark(cell, false);
-            return Panel::handle(event), 1;
-        case FL_PUSH:
-            if (Panel::handle(event)) return 1;
-            take_focus();
-            return 1;
-        case FL_RELEASE:
-            if (const int cell = cell_at(Fl::event_x(), Fl::event_y()); cell >= 0 && Fl::event_is_click()) take(cell);
-            return 1;
-        case FL_MOUSEWHEEL: return bar_.handle(event);
-        case FL_KEYBOARD: return key(Fl::event_key()) ? 1 : 0;
-        default: return Panel::handle(event);
-        }
+        last_ = numbers_[std::size_t(marked())];
+        return isohedral_type(last_);
     }
-
-protected:
-    void arrange() override { bar_.resize(x() + w() - layout().scrollbar(), y(), layout().scrollbar(), h()); }
+    std::optional<std::string> chosen_name() const
+    {
+        return chosen() ? std::optional(isohedral_type(numbers_[std::size_t(*chosen())]).name()) : std::nullopt;
+    }
 
 private:
+    static constexpr int columns = 9;
     static int picture_size() { return layout().px(84); }
     static int cell_width() { return picture_size() + 2 * layout().gap(); }
     static int cell_height() { return picture_size() + 2 * layout().gap() + layout().small_font() + layout().px(4); }
 
-    int cell_at(int px, int py) const
+    void draw_cell(int cell, int left, int top, bool is_marked) override
     {
-        if (px < x() || py < y() || px >= x() + columns * cell_width() || py >= y() + h()) return -1;
-        const int cell = (py - y() + bar_.top()) / cell_height() * columns + (px - x()) / cell_width();
-        return cell < int(numbers_.size()) ? cell : -1;
-    }
-
-    int marked_cell() const { return int(std::ranges::find(numbers_, marked_) - numbers_.begin()); }
-
-    void mark(int cell, bool scroll)
-    {
-        if (numbers_.empty()) return;
-        marked_ = numbers_[std::size_t(std::clamp(cell, 0, int(numbers_.size()) - 1))];
-        if (scroll) show_marked();
-        redraw();
-        if (on_mark) on_mark(isohedral_type(marked_));
-    }
-
-    void show_marked()
-    {
-        if (numbers_.empty()) return redraw();
-        const int top = marked_cell() / columns * cell_height();
-        if (top < bar_.top()) bar_.set_top(top);
-        else if (top + cell_height() > bar_.top() + h()) bar_.set_top(top + cell_height() - h());
-        redraw();
-        if (on_mark) on_mark(isohedral_type(marked_));
-    }
-
-    void take(int cell)
-    {
-        if (numbers_.empty()) return;
-        chosen = isohedral_type(numbers_[std::size_t(cell)]).name();
-        window()->hide();
-    }
-
-    bool key(int key)
-    {
-        const int here = marked_cell(), last = int(numbers_.size()) - 1;
-        switch (key) {
-        case FL_Home: mark(0, true); return true;
-        case FL_End: mark(last, true); return true;
-        case FL_Left: mark(here - 1, true); return true;
-        case FL_Right: mark(here + 1, true); return true;
-        case FL_Up: mark(here >= columns ? here - columns : here, true); return true;
-        case FL_Down: mark(here + columns <= last ? here + columns : here, true); return true;
-        case FL_Enter:
-        case FL_KP_Enter: take(here); return true;
-        default: return false;
-        }
-    }
-
-    const Image& picture(int number)
-    {
+        const int number = numbers_[std::size_t(cell)];
         Image& image = pictures_[number];
         if (image.pixels.empty()) image = type_picture(isohedral_type(number), picture_size());
-        return image;
+        fl_draw_image(&image.pixels.front().red, left + layout().gap(), top + layout().gap(), image.width, image.height, int(sizeof(Pixel)));
+        draw_text(isohedral_type(number).name(), left, top + layout().gap() + picture_size(), cell_width(), layout().small_font() + layout().px(6),
+                  is_marked ? theme().on_accent : theme().text, FL_ALIGN_CENTER);
     }
-
-    void draw() override
-    {
-        fl_push_clip(x(), y(), w(), h());
-        fl_color(theme().sunken);
-        fl_rectf(x(), y(), w(), h());
-        fl_font(FL_HELVETICA, layout().small_font());
-        for (int i = 0; i < int(numbers_.size()); ++i) {
-            const int left = x() + i % columns * cell_width(), top = y() + i / columns * cell_height() - bar_.top();
-            if (top + cell_height() <= y() || top >= y() + h()) continue;
-            const int number = numbers_[std::size_t(i)];
-            const bool here = number == marked_;
-            if (here) {
-                fl_color(theme().accent);
-                fl_rectf(left, top, cell_width(), cell_height());
-            }
-            const Image& image = picture(number);
-            fl_draw_image(&image.pixels.front().red, left + layout().gap(), top + layout().gap(), image.width, image.height, int(sizeof(Pixel)));
-            draw_text(isohedral_type(number).name(), left, top + layout().gap() + picture_size(), cell_width(), layout().small_font() + layout().px(6),
-                      here ? theme().on_accent : theme().text, FL_ALIGN_CENTER);
-        }
-        if (numbers_.empty()) {
-            fl_font(FL_HELVETICA, layout().font());
-            draw_text("No type does that.", x(), y(), w(), h(), theme().faint_text, FL_ALIGN_CENTER);
-        }
-        fl_pop_clip();
-        if (bar_.visible()) draw_child(bar_);
-    }
+    const char* nothing() const override { return "No type does that."; }
 
     std::vector<int> numbers_;
-    int marked_ = 0;
+    int last_ = 0; // the number that is marked, or was before others were shown
     std::map<int, Image> pictures_;
-    ScrollBar bar_;
 };
 
 /// `IH79: triangle, edges a+ b+ ar, group p4, 4 tiles in a cell`.
@@ -236,7 +131,7 @@ std::optional<std::string> choose_tile_type(const std::string& current)
     question.tooltip("About some points the whole pattern turns into itself");
     plain.tooltip("Only types whose tiles can all be laid without turning one over");
 
-    grid.on_mark = [&](const IsohedralType& type) { facts.copy_label(description(type).c_str()); };
+    grid.on_mark = [&] { facts.copy_label(description(grid.marked_type()).c_str()); };
     std::function<void()> filter = [&] {
         const TypeFilter asked{rotation_words[std::size_t(std::max(rotations.value(), 0))].rotations, plain.value() != 0};
         grid.show_types(types_that_pass(asked));
@@ -254,7 +149,7 @@ std::optional<std::string> choose_tile_type(const std::string& current)
     grid.take_focus();
     while (window.shown()) Fl::wait();
     Fl::flush();
-    return grid.chosen;
+    return grid.chosen_name();
 }
 
 } // namespace druse::ui

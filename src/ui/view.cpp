@@ -22,6 +22,7 @@ constexpr double zoom_per_notch = 1.15;
 std::string text_of(const std::optional<Target>& target)
 {
     if (!target) return "nothing";
+    if (!target->name.empty()) return target->name;
     if (target->edge) return fmt::format("edge {}", target->edge->index);
     if (target->vertex && !target->face) return fmt::format("vertex {}", target->vertex->index);
     std::string text = fmt::format("face {}", target->face->index);
@@ -247,7 +248,7 @@ std::unique_ptr<Gesture> View::gesture_for(const Pointer& p)
     if (p.button != 1 || p.alt) return std::make_unique<OrbitGesture>(camera_, p);
     if (box_next_) {
         boxing_ = true;
-        return std::make_unique<BoxGesture>(element_, session_, camera_, p);
+        return std::make_unique<BoxGesture>(element_, session_, camera_, tool(), p);
     }
     if (!tool().under(p)) return std::make_unique<OrbitGesture>(camera_, p);
     clicking_ = true;
@@ -378,7 +379,7 @@ bool View::cancel()
 void View::session_changed()
 {
     if (!session_.is_working()) settling_ = {};
-    if (clicking_ && !has_own_tool_ && pressed_shape_ != session_.display().lists.shape_version()) cancel(); // its faces may be others now
+    if (clicking_ && !tool().holds_through_edits() && pressed_shape_ != session_.display().lists.shape_version()) cancel(); // its faces may be others now
     if (session_.chosen() != armed_operator_) {
         cancel();
         armed_operator_ = session_.chosen();

@@ -7,6 +7,8 @@
 
 #include <FL/Fl.H>
 
+#include <chrono>
+
 namespace druse::ui {
 
 Viewport::Viewport(Session& session, View& view, int x, int y, int w, int h) : Fl_Gl_Window(x, y, w, h), session_(session), view_(view)
@@ -76,6 +78,13 @@ void Viewport::draw()
     if (on_frame) on_frame(++frame_);
 }
 
+void Viewport::flush()
+{
+    const auto start = std::chrono::steady_clock::now();
+    Fl_Gl_Window::flush();
+    frame_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 std::string Viewport::driver() const { return renderer_ ? renderer_->driver() : std::string(); }
 
 Image Viewport::picture(int factor, bool transparent)
@@ -114,32 +123,19 @@ std::optional<Image> Viewport::picture_of(const Mesh& solid, int size)
     return shrunk(solids_->read_image(), factor);
 }
 
-Pointer Viewport::pointer() const
-{
-    Pointer p;
-    p.x = Fl::event_x() + 0.5;
-    p.y = Fl::event_y() + 0.5;
-    p.button = Fl::event_button();
-    p.shift = Fl::event_state(FL_SHIFT) != 0;
-    p.ctrl = Fl::event_state(FL_CTRL) != 0;
-    p.alt = Fl::event_state(FL_ALT) != 0;
-    p.twice = Fl::event_clicks() > 0;
-    return p;
-}
-
 int Viewport::handle(int event)
 {
     switch (event) {
     case FL_PUSH:
         take_focus();
-        view_.press(pointer());
+        view_.press(pointer_at(0, 0));
         return 1;
-    case FL_DRAG: view_.drag(pointer()); return 1;
-    case FL_RELEASE: view_.release(pointer()); return 1;
+    case FL_DRAG: view_.drag(pointer_at(0, 0)); return 1;
+    case FL_RELEASE: view_.release(pointer_at(0, 0)); return 1;
     case FL_ENTER:
-    case FL_MOVE: view_.hover(pointer()); return 1;
+    case FL_MOVE: view_.hover(pointer_at(0, 0)); return 1;
     case FL_LEAVE: view_.leave(); return 1;
-    case FL_MOUSEWHEEL: view_.wheel(Fl::event_dy(), pointer()); return 1;
+    case FL_MOUSEWHEEL: view_.wheel(Fl::event_dy(), pointer_at(0, 0)); return 1;
     case FL_FOCUS:
     case FL_UNFOCUS: return 1;
     case FL_KEYDOWN:

@@ -30,6 +30,8 @@ public:
     const std::string& reason() const { return reason_; }
     /// The name of the driver; empty before the first frame.
     std::string driver() const;
+    /// How long the last frame took.
+    double frame_seconds() const { return frame_seconds_; }
     /// What is shown, without widgets, `factor` times as large.
     Image picture(int factor, bool transparent);
     /// A solid by itself, `size` pixels wide and high, without a background; nothing while there is no context yet.
@@ -38,11 +40,11 @@ public:
 
 protected:
     void draw() override;
+    void flush() override;
 
 private:
     bool make_renderer();
     void report_missing(const std::string& reason);
-    Pointer pointer() const;
 
     Session& session_;
     View& view_;
@@ -50,6 +52,7 @@ private:
     std::unique_ptr<Renderer> solids_; // another one, so that the mesh stays where it is while a solid is drawn
     std::string reason_;
     int frame_ = 0, samples_ = 0;
+    double frame_seconds_ = 0;
     bool dropped_ = false;
 };
 

@@ -107,5 +107,34 @@ TEST_F(AutosaveTest, WorkThatIsSavedOrEmptyIsNotKept)
     EXPECT_EQ(files(), 1u);
 }
 
+TEST_F(AutosaveTest, KeepsTheTileOfATileEditorBesideTheModel)
+{
+    Session tiles(all_operators());
+    std::filesystem::path kept;
+    {
+        Autosave autosave(session, folder), tile_autosave(tiles, folder, Autosave::Kind::tile);
+        tile_autosave.save_now();
+        EXPECT_EQ(files(), 2u) << "two locks: there is nothing yet";
+        run("make.cube");
+        tiles.run("tile.new type=IH79 size=20");
+        tiles.wait();
+        autosave.save_now();
+        tile_autosave.save_now();
+        EXPECT_EQ(files(), 6u) << "each with its history and its lock";
+        kept = tile_autosave.own_model();
+        EXPECT_EQ(kept.extension(), ".tile");
+        tile_autosave.keep();
+    }
+    EXPECT_EQ(files(), 2u) << "the tile and its history stay";
+    Autosave next(session, folder);
+    ASSERT_EQ(next.leftovers(), std::vector<std::filesystem::path>{kept});
+    const std::filesystem::path here = Autosave::set_aside(kept);
+    Session recovered(all_operators());
+    recovered.open(here);
+    recovered.wait();
+    ASSERT_TRUE(recovered.scene() && std::holds_alternative<LayeredTile>(*recovered.scene()->source));
+    EXPECT_EQ(std::get<LayeredTile>(*recovered.scene()->source).design().type, 79);
+}
+
 } // namespace
 } // namespace druse::ui

@@ -36,7 +36,7 @@ GROUP_ROWS_TOP = 28 + 28 + 242 + 28
 PAINT_BUTTON = (1060, 551)
 # In the tile editor, of the same size.
 TILE_TYPE = (50, 47)
-TILE_OFFSET = (185, 47)
+TILE_CHOICE = (1150, 266)
 TILE_FIELD = (1150, 368)
 # Faces of a torus with 24 by 12 of them.
 HOLES = ((690, 485), (560, 475), (866, 436))
@@ -617,27 +617,67 @@ def sculptures(druse, folder, pictures):
     check(facts["genus"] == 5 * 28 + 1 and facts["watertight"] and facts["graph"]["cycle_rank"] == 141, f"the struts of a torus: {facts}")
 
 
+class TileEditor:
+    """The tile editor of a program that was started at 1280 by 800: its plane on the left, the tile in space beside it."""
+
+    LEFT, TOP, WIDTH, HEIGHT = 0, 66, (1280 - 256 - 2) // 2, 800 - 66 - 28
+
+    def __init__(self, window, low, high):
+        """The tile lies in the box from `low` to `high` when it is framed, with 0.45 of its size around it."""
+        self.window = window
+        self.main = window.id
+        self.id = run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "Tile editor$").split()[0]
+        window.id = self.id
+        self.middle = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2)
+        self.scale = min(self.WIDTH / ((high[0] - low[0]) * 1.9), self.HEIGHT / ((high[1] - low[1]) * 1.9))
+
+    def place(self, x, y):
+        """Where a place of the plane is seen."""
+        return (round(self.LEFT + self.WIDTH / 2 + (x - self.middle[0]) * self.scale), round(self.TOP + self.HEIGHT / 2 - (y - self.middle[1]) * self.scale))
+
+    def drag(self, start, end, steps=8):
+        self.window.press(start)
+        for i in range(1, steps + 1):
+            self.window.move((start[0] + (end[0] - start[0]) * i // steps, start[1] + (end[1] - start[1]) * i // steps))
+            time.sleep(0.05)
+        self.window.release()
+
+    def raise_point(self, seen, pixels):
+        """Drags a point in space upward; `seen` is the line of the event log that says where it is."""
+        x, y = (int(number) for number in seen.split()[-1].split(","))
+        self.drag((x, y), (x, y - pixels))
+
+    def enter(self, text):
+        """Types into the first field of the panel, which runs its operator."""
+        self.window.click(TILE_FIELD)
+        self.window.keys("ctrl+a")
+        self.window.type(text)
+        self.window.keys("Return")
+
+    def choose(self, druse, operator, current=None):
+        """In the list over the panel, which opens at the current operator."""
+        listed = json.loads(run(druse, "ops", "--json"))
+        operators = [op["name"] for op in (listed if isinstance(listed, list) else listed["operators"])]
+        tile_operators = [name for name in operators if name.startswith("tile.")]
+        self.window.click(TILE_CHOICE)
+        time.sleep(0.3)
+        self.window.keys(*["Down"] * (tile_operators.index(operator) - (tile_operators.index(current) if current else -1)), "Return")
+        self.window.wait("tile: chosen " + operator)
+
+    def save_as(self, file, proposed="untitled.tile"):
+        self.window.keys("ctrl+shift+s")
+        self.window.answer_file_dialog("Save as", file, proposed)
+        self.window.wait("tile: saved " + str(file))
+
+
 def tiles(druse, folder, pictures):
     """A tile from type to solid in its editor, all by the mouse; the exported file is that of `druse apply` with the history; undone to the start."""
     main = Window(druse, folder, pictures, [])
     main.click(BESIDE_THE_MESH)
     main.keys("F6")
     main.wait("tile: frame")
-    editor = run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "Tile editor$").split()[0]
-    main_id, main.id = main.id, editor
-
-    def place(x, y):
-        """Where a place of a tile with corners (10,10) (0,0) (20,0) is seen: framed with 0.45 of its size around it."""
-        left, top, width, height = 0, 66, (1280 - 256 - 2) // 2, 800 - 66 - 28
-        scale = min(width / (20 * 1.9), height / (10 * 1.9))
-        return (round(left + width / 2 + (x - 10) * scale), round(top + height / 2 - (y - 5) * scale))
-
-    def drag(start, end, steps=8):
-        main.press(start)
-        for i in range(1, steps + 1):
-            main.move((start[0] + (end[0] - start[0]) * i // steps, start[1] + (end[1] - start[1]) * i // steps))
-            time.sleep(0.05)
-        main.release()
+    editor = TileEditor(main, (0, 0), (20, 10))  # corners (10,10) (0,0) (20,0)
+    place, drag = editor.place, editor.drag
 
     main.click(TILE_TYPE)
     run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "^Tile type$")
@@ -655,18 +695,15 @@ def tiles(druse, folder, pictures):
     main.click(place(11, 4))
     main.wait("tile: applied tile.point_add")
     main.picture("2-plane")
-    main.click(TILE_FIELD)
-    main.keys("ctrl+a")
-    main.type("5")
-    main.keys("Return")
+    main.keys("F3")  # heights: the panel asks for a thickness first
+    main.wait("tile: chosen tile.extrude")
+    editor.enter("5")
     main.wait("tile: applied tile.extrude")
     main.click(place(11, 4))
-    seen = main.wait("tile: selected i0 seen at ").split()[-1]
-    x, y = (int(number) for number in seen.split(","))
-    drag((x, y), (x, y - 40))
+    editor.raise_point(main.wait("tile: selected i0 seen at "), 40)
     main.wait("tile: adjusted tile.height")
     main.picture("3-relief")
-    main.click(TILE_OFFSET)
+    main.keys("F4")
     drag(place(10, 4), place(20.2, 13.9), 12)
     main.wait("tile: applied tile.stack")
     time.sleep(0.5)
@@ -679,7 +716,7 @@ def tiles(druse, folder, pictures):
     main.wait("tile: applied tile.solid")
     main.wait("took exported tile")
 
-    main.id = main_id
+    main.id = editor.main
     main.wait("frame")
     main.click(BESIDE_THE_MESH)
     main.picture("6-main")
@@ -691,7 +728,7 @@ def tiles(druse, folder, pictures):
     main.wait("saved")
     main.keys("F6")
     time.sleep(0.5)
-    main.id = editor
+    main.id = editor.id
     main.click(place(24, 12))  # beside the tile: nothing is there to act on but the plane
     steps = (folder / "history.druse").read_text().splitlines()
     for _ in steps:
@@ -710,6 +747,140 @@ def tiles(druse, folder, pictures):
     check(facts["watertight"] and facts["genus"] == 0 and abs(facts["volume"] - 500) < 1e-6, f"an area of 100, 5 thick: {facts['volume']}")
     run(druse, "apply", "-s", folder / "history.druse", "-o", folder / "terminal.stl")
     check((folder / "window.stl").read_bytes() == (folder / "terminal.stl").read_bytes(), "the exported file is not the one that `druse apply` makes")
+
+
+def make_tile(druse, folder, name, *commands):
+    run(druse, "apply", *[word for command in commands for word in ("-c", command)], "-o", folder / name)
+    return folder / name
+
+
+def tile_edits(druse, folder, pictures):
+    """Constraints, refusals, tracing, corners, removal, heights of many points and layers; the tile that is saved is that of `druse apply`."""
+    start = make_tile(druse, folder, "start.tile", "tile.new type=IH41 size=20", "tile.point_add at=5,12", "tile.point_add at=15,12", "tile.point_add at=10,16")
+    run("convert", "-size", "60x40", "gradient:#ff8000-#004080", "-depth", "8", "-define", "png:color-type=2", folder / "drawing.png")
+    window = Window(druse, folder, pictures, [start])
+    editor = TileEditor(window, (0, 0), (20, 20))
+    place, drag = editor.place, editor.drag
+
+    window.move(place(5, 12))  # keys are for the window under the pointer
+    window.keys("c")
+    drag(place(5, 12), place(15, 12))
+    window.wait("tile: applied tile.constrain")
+    window.click(place(10, 0))
+    window.wait("tile: applied tile.edge_add")
+    window.press(place(10, 0))  # at once to where the outline would cut the line
+    window.move(place(10, 14))
+    refused = window.wait("tile: error tile.edge_move")
+    window.picture("1-refused")
+    window.release()
+    check("outside: the line from i0 to i1" in refused, f"why not: {refused}")
+    window.quiet("tile: applied")
+    drag(place(10, 0), place(10, 6))
+    window.wait("tile: adjusted tile.edge_move")
+    window.keys("c")
+    drag(place(0, 0), place(20, 0))  # straight across the dent
+    refused = window.wait("tile: error tile.constrain")
+    window.picture("2-refused-line")
+    check("outside" in refused, f"why not: {refused}")
+    drag(place(20, 0), place(21, 2))
+    window.wait("tile: adjusted tile.corner")
+    window.click(place(10, 16))
+    window.wait("tile: selected i2")
+    window.keys("Delete")
+    window.wait("tile: applied tile.point_remove")
+
+    window.keys("p")
+    window.answer_file_dialog("Tracing image", folder / "drawing.png")
+    time.sleep(1)
+    window.picture("3-tracing")
+    window.keys("Return")
+    window.wait("tile: applied tile.trace")
+
+    window.keys("F3")
+    window.wait("tile: chosen tile.extrude")
+    editor.enter("6")
+    window.wait("tile: applied tile.extrude")
+    drag(place(2, 9), place(17, 15))  # a box around the ends of the line
+    window.wait("tile: selected i0,i1")
+    window.keys("Escape")
+    window.wait("tile: selected nothing")
+    window.keys("F2")
+    window.click(place(5, 12))
+    seen = window.wait("tile: selected i0 seen at ")
+    window.keys("b")
+    drag(place(2, 9), place(17, 15))
+    window.wait("tile: selected i0,i1")
+    editor.raise_point(seen, 30)  # one of them takes the other along
+    window.wait("tile: adjusted tile.height")
+    window.picture("4-heights")
+    editor.choose(druse, "tile.assemble", "tile.extrude")
+    editor.enter("2")
+    window.wait("tile: applied tile.assemble")
+    window.wait("tile: frame")
+    window.picture("5-layers")
+    window.move(place(5, 12))
+    editor.save_as(folder / "window.tile", "start.tile")
+    editor.save_as(folder / "history.druse", "window.tile")
+    steps = (folder / "history.druse").read_text().splitlines()
+    for _ in steps[1:]:
+        window.keys("ctrl+z")
+        window.wait("tile: applied document.undo")
+    window.keys("ctrl+z")
+    window.wait("tile: error document.undo")
+    editor.save_as(folder / "undone.tile", "history.tile")
+    window.close()
+
+    names = [line.split()[0] for line in steps]
+    check(names == ["document.open"] + ["tile." + name for name in ("constrain", "edge_add", "edge_move", "corner", "point_remove", "trace", "extrude", "height", "assemble")],
+          f"a step for each gesture, and none for what was refused: {steps}")
+    check("image=drawing.png" in steps[6] and "points=i0,i1" in steps[8], f"a name beside the script, and both points: {steps}")
+    run(druse, "apply", "-s", folder / "history.druse", "-o", folder / "terminal.tile")
+    check((folder / "window.tile").read_bytes() == (folder / "terminal.tile").read_bytes(), "the tile is not the one that `druse apply` makes")
+    tile = json.loads((folder / "window.tile").read_text())
+    check(tile["view"]["trace"]["image"] == "drawing.png" and tile["heights"]["i0"] == tile["heights"]["i1"] > 0, f"the picture, and heights that go together: {tile}")
+    check((folder / "undone.tile").read_bytes() == start.read_bytes(), "undone, the tile should be what it was")
+
+
+def tile_replay(druse, folder, pictures):
+    """What was done in the tile editor, dialogs too, plays back to the same tile and the same mesh."""
+    start = make_tile(druse, folder, "start.tile", "tile.new type=IH79 size=20", "tile.extrude thickness=5")
+    window = Window(druse, folder, pictures, ["--record", folder / "recording.txt", start])
+    editor = TileEditor(window, (0, 0), (20, 10))
+    window.click(editor.place(11, 4))
+    window.wait("tile: applied tile.point_add")
+    editor.raise_point(select_again(window, editor.place(11, 4)), 30)
+    window.wait("tile: adjusted tile.height")
+    editor.choose(druse, "tile.stack")
+    window.move(editor.place(24, 12))
+    window.keys("ctrl+e")
+    run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "^Export tile$")
+    time.sleep(0.5)
+    window.keys("Return")
+    window.wait("took exported tile")  # the main window is in front now
+    window.id = editor.main
+    window.move(BESIDE_THE_MESH)
+    window.keys("F6")
+    time.sleep(0.5)
+    window.id = editor.id
+    window.move(editor.place(24, 12))
+    editor.save_as(folder / "first.tile", "start.tile")
+    window.close()
+
+    recording = (folder / "recording.txt").read_text()
+    check("tile: push" in recording and "tile: run tile.solid" in recording and "tile: hand over" in recording, f"too little was recorded:\n{recording}")
+    again = recording.replace("first.tile", "second.tile") + f"wait tile: saved\ntile: shot {pictures / 'replayed.png'}\nexport {folder / 'second.obj'}\nwait exported\ntile: quit\nquit\n"
+    (folder / "again.txt").write_text(again)
+    subprocess.run([str(druse), "--test", "--geometry", "1280x800+0+0", "--replay", str(folder / "again.txt"), str(start)],
+                   check=True, timeout=60, cwd=folder, env=dict(os.environ, HOME=str(folder)))
+    first, second = (folder / "first.tile").read_text(), (folder / "second.tile").read_text()
+    check(first == second and '"i0"' in first, f"the tiles differ:\n{first}\n{second}")
+    check((folder / "second.obj").read_text().count("\nf ") == 12, "the main window has not the mesh")
+
+
+def select_again(window, place):
+    """Where a point is seen in space that is clicked in the plane."""
+    window.click(place)
+    return window.wait("tile: selected i0 seen at ")
 
 
 def replay(druse, folder, pictures):
@@ -768,7 +939,7 @@ def main():
     scenario, druse, models, pictures = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4]) / sys.argv[1]
     shutil.rmtree(pictures, ignore_errors=True)
     pictures.mkdir(parents=True)
-    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, rinds, sculptures, tiles, replay, sizes)}
+    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, rinds, sculptures, tiles, tile_edits, tile_replay, replay, sizes)}
     with tempfile.TemporaryDirectory() as folder:
         try:
             folder = pathlib.Path(folder).resolve()

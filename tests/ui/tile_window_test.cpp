@@ -1,8 +1,12 @@
+#include "ui/layout.h"
 #include "ui/plane_view.h"
 #include "ui/tile_offset.h"
 #include "ui/tile_source.h"
+#include "ui/tile_view.h"
 #include "ui/type_chooser.h"
 #include "ui/type_picture.h"
+
+#include "app/registry.h"
 
 #include <gtest/gtest.h>
 
@@ -162,6 +166,152 @@ TEST(TileOffset, BringsPointsOverPointsWhereEveryOffsetIsAllowed)
     const TileOffset edge = attract(shown, {5.3, 0.2}, 0.4); // no point is near: the corner over an edge
     EXPECT_NEAR(edge.at.x, 5.3, 1e-12);
     EXPECT_NEAR(edge.at.y, 0, 1e-12);
+}
+
+TEST(TileOffset, KeepsAStackOfMirrorsOne)
+{
+    LayeredTile tile = LayeredTile::of_type(79, 20);
+    tile.set_stack({TileStack::Mode::mirror, Point2(0.0), 0});
+    const ShownTile shown = shown_tile(&tile);
+    // About the horizontal through the 4-fold corner v1 the tiling is its own image, also a whole leg along it.
+    const TileOffset leg = attract(shown, {10.2, 9.9}, 0.5);
+    EXPECT_TRUE(leg.is_allowed);
+    EXPECT_NEAR(leg.at.x, 10, 1e-9);
+    EXPECT_NEAR(leg.at.y, 10, 1e-9);
+    EXPECT_FALSE(attract(shown, {3, 1}, 0.5).is_allowed);
+}
+
+TEST(TileOffset, BringsPointsOverEdgesInsideTheTileBelow)
+{
+    LayeredTile tile = LayeredTile::of_type(41, 10);
+    tile.add_point({2, 6});
+    const ShownTile shown = shown_tile(&tile);
+    // The corner (0,0) goes near the line from (0,0) to (2,6), and nothing else comes near anything.
+    const Point2 wanted(1.05, 3.0);
+    const TileOffset over = attract(shown, wanted, 0.2);
+    EXPECT_TRUE(over.is_allowed);
+    EXPECT_NEAR(over.at.y, 3 * over.at.x, 1e-12);
+    EXPECT_LT(glm::distance(over.at, wanted), 0.2);
+}
+
+TEST(DifferentSolids, AreOneForEachMirrorImageAndEachMemberOfAFreeStack)
+{
+    LayeredTile turned = LayeredTile::of_type(79, 20), mirrored = LayeredTile::of_type(2, 20);
+    EXPECT_EQ(different_solids(turned), std::vector<int>{0}) << "quarter turns bring all four together";
+    EXPECT_EQ(different_solids(mirrored).size(), 2u) << "left and right";
+    turned.add_point({8, 5});
+    turned.set_stack({TileStack::Mode::free, Point2(10, 0), 0});
+    EXPECT_EQ(different_solids(turned).size(), 2u) << "half a leg along: the reference has two solids";
+    turned.set_stack({TileStack::Mode::free, Point2(5, 5), 0});
+    EXPECT_EQ(different_solids(turned).size(), 4u);
+}
+
+class TilePlane : public testing::Test {
+protected:
+    TilePlane() : session(all_operators()), view(session)
+    {
+        set_layout(Layout(1));
+        session.on_change = [this] { view.session_changed(); };
+        view.resize(400, 400);
+        for (const char* command : {"tile.new type=IH41 size=20", "tile.point_add at=5,12", "tile.point_add at=15,12", "tile.extrude thickness=5"}) run(command);
+        view.frame();
+    }
+    void run(const std::string& command)
+    {
+        session.run(command);
+        session.wait();
+    }
+    Pointer at(double x, double y) const
+    {
+        const Point2 p = view.plane().picture({x, y});
+        Pointer pointer;
+        pointer.x = p.x;
+        pointer.y = p.y;
+        pointer.button = 1;
+        return pointer;
+    }
+    void drag(const Pointer& from, const Pointer& to)
+    {
+        view.press(from);
+        view.drag(to);
+        view.release(to);
+        session.wait();
+    }
+    std::size_t steps() const { return session.display().done; }
+
+    Session session;
+    TileView view;
+};
+
+TEST_F(TilePlane, ABoxSelectsPointsWhereHeightsAreEdited)
+{
+    view.set_tool(TileView::Tool::heights);
+    const std::size_t before = steps();
+    drag(at(3, 10), at(17, 14));
+    EXPECT_EQ(view.selected(), (std::set<std::string>{"i0", "i1"}));
+    drag(at(5, 12), at(8, 14)); // not a move: places in the plane stay
+    EXPECT_EQ(steps(), before);
+    Pointer end = at(17, 14);
+    end.ctrl = true;
+    view.select({"i0", "i1"});
+    drag(at(13, 10), end);
+    EXPECT_EQ(view.selected(), std::set<std::string>{"i0"});
+}
+
+TEST_F(TilePlane, WhatIsRefusedChangesNothingAndShowsInRed)
+{
+    run("tile.edge_add at=10,0");
+    run("tile.edge_move point=e0:1 to=10,6");
+    const std::size_t before = steps();
+    view.start_constraint();
+    drag(at(0, 0), at(20, 0)); // across the dent
+    EXPECT_EQ(steps(), before);
+    ASSERT_TRUE(view.refused_line());
+    EXPECT_EQ(session.message().kind, Message::Kind::error);
+    view.press(at(30, 30));
+    EXPECT_FALSE(view.refused_line());
+}
+
+TEST_F(TilePlane, RemovesEachPointOnceHoweverManyOfItsImagesAreSelected)
+{
+    run("tile.edge path=0 points=0.3,0.1,0.6,0.1");
+    run("tile.edge path=1 points=0.5,0.1");
+    std::set<std::string> all;
+    for (const TilePoint& p : view.tile().points) all.insert(p.name);
+    const std::size_t before = steps();
+    view.select(all);
+    view.remove();
+    session.wait();
+    EXPECT_EQ(steps(), before + 5) << "three points of paths, two inside";
+    EXPECT_EQ(view.tile().points.size(), 4u) << "corners stay";
+    EXPECT_EQ(session.message().kind, Message::Kind::note);
+}
+
+TEST_F(TilePlane, DrawsItsCopiesAnewOnlyWhenTheyChange)
+{
+    const std::uint64_t before = view.backdrop();
+    run("tile.point_move point=i0 to=6,13");
+    run("tile.height points=i0 set=2");
+    EXPECT_EQ(view.backdrop(), before) << "inside the tile alone";
+    run("tile.edge_add at=10,0");
+    EXPECT_NE(view.backdrop(), before);
+    const std::uint64_t now = view.backdrop();
+    run("tile.colors colors=#102030,#405060,#708090");
+    EXPECT_NE(view.backdrop(), now);
+}
+
+TEST_F(TilePlane, ThePictureIsDraggedWithAltAsOneStep)
+{
+    run("tile.trace image=missing.png place=20,0,0,0,20,0");
+    EXPECT_FALSE(view.picture()) << "the file is not there, which is no fault of the tile";
+    const std::size_t before = steps();
+    Pointer from = at(10, 10);
+    from.alt = true;
+    drag(from, at(13, 8));
+    EXPECT_EQ(steps(), before + 1);
+    ASSERT_TRUE(view.tile().look.trace);
+    EXPECT_NEAR(view.tile().look.trace->place[2], 3, 0.05);
+    EXPECT_NEAR(view.tile().look.trace->place[5], -2, 0.05);
 }
 
 } // namespace
