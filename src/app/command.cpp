@@ -209,7 +209,7 @@ private:
             std::vector<std::string> used;
             for (const Parameter& other : op_.parameters)
                 if (other.name != p.governor && (other.governor.empty() || (other.governor == p.governor && Operator::counts(other, value)))) used.push_back(other.name);
-            throw CommandError(fmt::format("{}: {}={} does not use it; it uses {}", p.name, p.governor, value, listing(used, "and")));
+            throw CommandError(fmt::format("{}: {}={} does not use it{}", p.name, p.governor, value, used.empty() ? "" : "; it uses " + listing(used, "and")));
         }
     }
 

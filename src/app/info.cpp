@@ -41,14 +41,20 @@ struct TileFacts {
     {
         if (!t.is_extruded()) return;
         for (int m = 0; m < member_count(t); ++m) {
-            const double its = make_solid(t, TileBottom::carved, aspect_of_member(t, m)).thinnest.thickness;
-            min_thickness = std::min(min_thickness.value_or(its), its);
+            const int aspect = aspect_of_member(t, m);
+            const TileSolid solid = make_solid(t, TileBottom::carved, aspect);
+            min_thickness = std::min(min_thickness.value_or(solid.thinnest.thickness), solid.thinnest.thickness);
+            if (m > 0 || !(solid.thinnest.thickness > 0)) continue;
+            MeshBuilder builder;
+            add_solid(builder, solid, {t.to_world() * t.aspects()[std::size_t(aspect)], 0.0});
+            body = facts(builder.build());
         }
     }
 
     const LayeredTile& tile;
     GraphFacts lines; // its edges
     std::optional<double> min_thickness;
+    std::optional<MeshFacts> body; // the solid of tile.solid, where there is one
 };
 
 /// What is there to be told: the facts of the mesh, unless all there is is a source.
@@ -58,7 +64,8 @@ struct Facts {
         if (const Graph* g = std::get_if<Graph>(&*scene.source)) graph = facts(*g);
         if (const Pane* p = std::get_if<Pane>(&*scene.source)) pane.emplace(*p);
         if (const LayeredTile* t = std::get_if<LayeredTile>(&*scene.source)) tile.emplace(*t);
-        kind = only_source ? name(*scene.source) : "mesh";
+        kind = !only_source ? "mesh" : tile ? "layered" : name(*scene.source);
+        if (only_source && tile && tile->body) mesh = *tile->body;
     }
     MeshFacts mesh;
     std::optional<GraphFacts> graph;
@@ -166,25 +173,12 @@ void add_pane(Json& j, const PaneFacts& p)
     j["max_nonplanarity"] = nullptr;
 }
 
-/// Its triangles are faces, as those of a pane are.
-void add_tile(Json& j, const TileFacts& t)
+/// A tile without a solid has none of what is told of a mesh.
+void add_nothing(Json& j)
 {
-    const HeightField& surface = t.tile.surface();
-    j["vertices"] = surface.points.size();
-    j["edges"] = t.lines.edges;
-    j["faces"] = surface.triangles.size();
-    j["corners"] = 3 * surface.triangles.size();
-    j["components"] = 1;
-    j["euler"] = 1;
-    for (const char* key : {"genus", "watertight", "oriented", "manifold"}) j[key] = nullptr;
-    j["boundary_edges"] = t.tile.outline_count();
-    j["volume"] = nullptr;
-    j["area"] = t.tile.area();
-    j["bbox"] = box_json(t.lines.bounds);
-    j["edge_length"] = lengths_json(t.lines.shortest_edge, t.lines.mean_edge, t.lines.longest_edge, true);
-    j["sides"] = {{"3", surface.triangles.size()}};
-    j["valences"] = counts_json(t.lines.valences);
-    j["max_nonplanarity"] = nullptr;
+    for (const char* key : {"vertices", "edges", "faces", "corners", "components", "euler", "genus", "watertight", "oriented", "manifold", "boundary_edges", "volume", "area",
+                            "bbox", "edge_length", "sides", "valences", "max_nonplanarity"})
+        j[key] = nullptr;
 }
 
 /// The offset of the stack in the lattice, from 0 to 1: what is the same for all offsets that make the same stack.
@@ -366,7 +360,7 @@ std::string info_json(const Scene& scene, std::string_view file, const std::opti
     j["units"] = units;
     if (facts.only_source && facts.graph) add_graph(j, *facts.graph);
     else if (facts.only_source && facts.pane) add_pane(j, *facts.pane);
-    else if (facts.only_source) add_tile(j, *facts.tile);
+    else if (facts.only_source && !facts.tile->body) add_nothing(j);
     else add_mesh(j, m);
     j["groups"] = groups_json(m, *scene.groups);
     j["selection"] = {{"faces", ids_json(scene.selection->faces)},
@@ -405,8 +399,9 @@ std::string info_text(const Scene& scene, std::string_view file, const std::opti
         add_graph(t, *facts.graph, "");
         add_lines(t, *facts.graph);
     } else if (facts.only_source && facts.tile) {
-        add_tile(t, *facts.tile, "");
-        add_lines(t, facts.tile->lines);
+        add_tile(t, *facts.tile, facts.tile->body ? "tile " : "");
+        if (facts.tile->body) add_mesh(t, facts.mesh, *scene.groups);
+        else add_lines(t, facts.tile->lines);
     } else if (facts.only_source) {
         add_pane(t, facts.pane->own, "");
         add_lines(t, facts.pane->lines);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -335,9 +336,14 @@ private:
     /// The tile, or which part of the design is none of one.
     LayeredTile made(TileDesign design) const
     {
+        std::optional<LayeredTile> whole;
         try {
-            return LayeredTile(design);
+            whole.emplace(design);
         } catch (const CommandError&) {
+        }
+        if (whole) {
+            for (const auto& [name, height] : design.heights) at("heights." + name.text(), [&] { whole->find(name); });
+            return std::move(*whole);
         }
         TileDesign part = design;
         part.interior.clear();
@@ -351,7 +357,7 @@ private:
         });
         at("paths", [&] { const LayeredTile trial(part); });
         part.stack = design.stack;
-        at("stack.offset", [&] { const LayeredTile trial(part); });
+        at(design.stack.mode == TileStack::Mode::mirror ? "stack" : "stack.offset", [&] { const LayeredTile trial(part); });
         part.interior = design.interior;
         at("interior", [&] { const LayeredTile trial(part); });
         for (std::size_t s = 0; s < design.segments.size(); ++s) {

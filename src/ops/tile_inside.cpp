@@ -49,7 +49,7 @@ void run_tile_refine(Scene& scene, const TileRefine& p, Context& context)
     edit_tile(scene, context, [&](LayeredTile& tile) { refined = tile.refine({p.min_angle, p.max_area, false}); });
     if (!refined.complete) context.note(fmt::format("stopped at {} new points, fifty for each old one", refined.made));
     if (refined.falling_short > 0)
-        context.note(fmt::format("{} triangle{} still falls short of what was asked for", refined.falling_short, refined.falling_short == 1 ? "" : "s"));
+        context.note(fmt::format("{} still short of what was asked for", refined.falling_short == 1 ? "1 triangle falls" : fmt::format("{} triangles fall", refined.falling_short)));
 }
 
 Definition<TileSegment> segment_definition(std::string_view name, std::string_view help)

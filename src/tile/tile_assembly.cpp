@@ -28,9 +28,17 @@ Thinnest assemble(MeshBuilder& builder, const LayeredTile& tile, const TileAssem
     for (const OutlinePoint& p : tile.outline().points) centre += p.position / double(tile.outline_count());
     const double spread = assembly.gap / std::sqrt(tile.area());
     const Isometry world = tile.to_world(), step = stack_motion(tile.design().stack);
-    Isometry layer;
-    for (int k = 0; k < assembly.layers; ++k, layer = step * layer) {
+    const auto [t1, t2] = tile.lattice();
+    Point2 middle = 0.5 * (assembly.nx - 1) * t1 + 0.5 * (assembly.ny - 1) * t2; // of the block
+    for (int a = 0; a < tile.type().aspects(); ++a) middle += tile.motion({a, {0, 0}})(centre) / double(tile.type().aspects());
+    Isometry carried;
+    for (int k = 0; k < assembly.layers; ++k, carried = step * carried) {
         progress.step(double(k) / assembly.layers);
+        Isometry layer = carried;
+        if (layer.x.x * layer.y.y - layer.x.y * layer.y.x < 0) { // a mirror takes the block to its other side: of its layer's tiles, those over the block
+            const Point2 back = lattice_coordinates(tile.lattice(), middle - layer(middle));
+            layer.shift += std::round(back.x) * t1 + std::round(back.y) * t2;
+        }
         for (int j = 0; j < assembly.ny; ++j)
             for (int i = 0; i < assembly.nx; ++i)
                 for (int a = 0; a < tile.type().aspects(); ++a) {

@@ -59,6 +59,24 @@ TEST(TileInDocument, MakesTheQuadOfTheReference)
     EXPECT_NEAR(info["min_thickness"], 3.115819, 1e-6);
 }
 
+TEST(TileInDocument, IsToldOfAsTheSolidThatItMakes)
+{
+    const auto told = [](std::initializer_list<const char*> commands) { return FactsJson::parse(info_json(with_tile(commands).scene(), "a.tile")); };
+    const FactsJson flat = told({"tile.new type=IH79 size=20"});
+    EXPECT_EQ(flat["kind"], "layered");
+    EXPECT_TRUE(flat["vertices"].is_null() && flat["genus"].is_null() && flat["bbox"].is_null());
+    EXPECT_NEAR(flat["area"], 100, 1e-9);
+    const FactsJson solid = told({"tile.new type=IH79 size=20", "tile.edge path=0 points=0.333,0.125,0.667,-0.125", "tile.edge path=1 points=0.25,0.1", "tile.point_add at=10,4",
+                                  "tile.stack mode=shift offset=10,10", "tile.extrude thickness=5", "tile.height points=i0 set=2", "tile.height points=m1 add=0.5"});
+    EXPECT_EQ(solid["kind"], "layered");
+    EXPECT_EQ((std::array<int, 3>{solid["vertices"], solid["edges"], solid["faces"]}), (std::array{27, 61, 36}));
+    EXPECT_EQ(solid["genus"], 0);
+    EXPECT_EQ(solid["watertight"], true);
+    EXPECT_NEAR(solid["volume"], 500, 1e-9);
+    EXPECT_NEAR(solid["volume_expected"], 500, 1e-9);
+    EXPECT_NEAR(solid["area"], 100, 1e-9); // of the tile
+}
+
 TEST(TileInDocument, RefusesWhatWouldFillNoSpaceAndStaysAsItWas)
 {
     struct Case {
@@ -188,6 +206,7 @@ TEST(TileFile, SaysLineAndKeyOfWhatIsWrong)
     for (const Case& c : {Case{"\"version\": 1", "\"version\": 2", "2: version: "}, Case{"\"IH79\"", "\"IH19\"", "5: type: IH19"}, Case{"\"size\": 20", "\"size\": -1", "6: size: "},
                           Case{"0.333", "\"a\"", "10: paths[0].points[0][0]: expected a number"}, Case{"[0.25, 0.1]", "[0.75, 0.1]", "10: paths[1].points: half-path"},
                           Case{"[10, 4]", "[10, 400]", "11: interior: swallows-point"}, Case{"\"m1\"", "\"m7\"", "14: heights.m7: no-such-point"},
+                          Case{"\"i0\"", "\"i9\"", "14: heights.i9: no-such-point"},
                           Case{"\"mode\": \"shift\"", "\"mode\": \"shaft\"", "15: stack.mode: "}, Case{"[10, 10]", "[5, 5]", "15: stack.offset: offset-not-isohedral"},
                           Case{"\"kind\": \"layered\",", "", "1: kind: is missing"}, Case{"\"params\": []", "\"params\": [1]", "9: params: IH79 has no parameters"}}) {
         std::string bad = good;
@@ -209,6 +228,25 @@ TEST(TileAssembly, IsManyTilesWithTheVolumeOfThemAll)
     document.apply("tile.assemble nx=2 ny=2 layers=3 color=type");
     EXPECT_NEAR(volume(document.scene().mesh), 2 * 2 * 4 * 3 * 500.0, 1e-6);
     EXPECT_EQ(document.scene().mesh.face_count(), 48 * 36);
+}
+
+TEST(TileAssembly, PutsMirroredLayersOverTheFirst)
+{
+    for (const char* type : {"IH79", "IH31", "IH01"}) {
+        const auto box = [type](const char* layers) {
+            Document document = with_tile({});
+            document.apply(std::string("tile.new type=") + type + " size=10");
+            document.apply("tile.stack mode=mirror axis=0");
+            document.apply("tile.extrude thickness=4");
+            document.apply(std::string("tile.assemble nx=3 ny=3 layers=") + layers);
+            EXPECT_NEAR(volume(document.scene().mesh), 9 * tile_in(document).type().aspects() * tile_in(document).area() * 4 * (layers[0] - '0'), 1e-6);
+            return bounds(document.scene().mesh).size();
+        };
+        const Vector one = box("1"), two = box("2");
+        EXPECT_LT(two.x, 1.5 * one.x) << type;
+        EXPECT_LT(two.y, 1.5 * one.y) << type;
+        EXPECT_NEAR(two.z, 2 * one.z, 1e-9);
+    }
 }
 
 TEST(TileSolid, WithClearanceLeavesJointsThatWide)
