@@ -148,7 +148,7 @@ TEST(TileFile, ComesBackToTheByte)
 
     // What is not ours stays, where it is.
     std::string other = first;
-    other.insert(other.find("\"interior\""), "\"view\": {\"trace\": {\"opacity\": 0.5}, \"colors\": [\"#cc3333\"]},\n  ");
+    other.insert(other.find("\"interior\""), "\"view\": {\"zoom\": 0.5, \"colors\": [\"#cc3333\", \"#eeeeee\", \"#3366cc\"]},\n  ");
     folder.write("c.tile", other);
     EXPECT_EQ(saved(opened(folder.path() / "c.tile"), folder, "d.tile"), other);
 
