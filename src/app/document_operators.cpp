@@ -64,6 +64,7 @@ void fill(Scene& scene, Model&& model)
     scene.selection = Selection();
     if (model.pane) scene.source.replace_with(std::move(*model.pane));
     else if (model.tile) scene.source.replace_with(std::move(*model.tile));
+    else if (model.cell) scene.source.replace_with(std::move(*model.cell));
     else if (model.graph) scene.source.replace_with(std::move(*model.graph));
     else scene.source.replace_with({});
 }

@@ -1,6 +1,7 @@
 #include "app/info.h"
 
 #include "app/padded.h"
+#include "cell/cell_solid.h"
 #include "dlfl/measures.h"
 #include "graph/graph_facts.h"
 #include "ops/selector.h"
@@ -57,6 +58,20 @@ struct TileFacts {
     std::optional<MeshFacts> body; // the solid of tile.solid, where there is one
 };
 
+/// What of a cell is told beside its own facts: those of its solid.
+struct CellFacts {
+    explicit CellFacts(const CellTile& c) : cell(c), mesh(facts(solid_mesh(c))) {}
+    static Mesh solid_mesh(const CellTile& cell)
+    {
+        MeshBuilder builder;
+        add_solid(builder, make_solid(cell), pane_groups(cell));
+        return builder.build();
+    }
+
+    const CellTile& cell;
+    MeshFacts mesh;
+};
+
 /// What is there to be told: the facts of the mesh, unless all there is is a source.
 struct Facts {
     explicit Facts(const Scene& scene) : mesh(facts(scene.mesh)), only_source(shows_source(scene))
@@ -64,13 +79,16 @@ struct Facts {
         if (const Graph* g = std::get_if<Graph>(&*scene.source)) graph = facts(*g);
         if (const Pane* p = std::get_if<Pane>(&*scene.source)) pane.emplace(*p);
         if (const LayeredTile* t = std::get_if<LayeredTile>(&*scene.source)) tile.emplace(*t);
+        if (const CellTile* c = std::get_if<CellTile>(&*scene.source)) cell.emplace(*c);
         kind = !only_source ? "mesh" : tile ? "layered" : name(*scene.source);
         if (only_source && tile && tile->body) mesh = *tile->body;
+        if (only_source && cell) mesh = cell->mesh;
     }
     MeshFacts mesh;
     std::optional<GraphFacts> graph;
     std::optional<PaneFacts> pane;
     std::optional<TileFacts> tile;
+    std::optional<CellFacts> cell;
     bool only_source = false;
     const char* kind = nullptr;
 };
@@ -208,6 +226,24 @@ void add_own_of_tile(Json& j, const TileFacts& t)
     j["orbits"] = t.tile.outline().orbits;
 }
 
+void add_own_of_cell(Json& j, const CellFacts& f)
+{
+    const CellTile& cell = f.cell;
+    j["cell"] = name(cell.cell().kind);
+    j["phase"] = cell.phase();
+    j["matrix"] = cell.matrix();
+    j["lattice"] = Json::array();
+    for (const Vector& v : cell.cell().lattice) j["lattice"].push_back(json(cell.world(v)));
+    j["volume_expected"] = cell.volume();
+    j["panes"] = cell.pane_count();
+    int corners = 0, edges = 0, inside = 0;
+    for (int i = 0; i < cell.point_count(); ++i) {
+        const bool is_corner = cell.name(i).kind == CellPointName::Kind::corner;
+        ++(is_corner ? corners : cell.pane_of(i) < 0 ? edges : inside);
+    }
+    j["orbits"] = {{"corner", corners}, {"edge", edges}, {"pane", inside}};
+}
+
 void add_own_of_pane(Json& j, const PaneCheck& p)
 {
     j["points"] = p.points;
@@ -321,6 +357,16 @@ void add_tile(Table& t, const TileFacts& f, const std::string& prefix)
     t.add(prefix + "min thickness", fmt::format("{} {}", rounded(*f.min_thickness), units));
 }
 
+void add_cell(Table& t, const CellFacts& f, const std::string& prefix)
+{
+    const CellTile& cell = f.cell;
+    t.add(prefix + "cell", name(cell.cell().kind));
+    t.add(prefix + "phase", std::to_string(cell.phase()));
+    t.add(prefix + "panes", fmt::format("{} pairs, {} triangles in all", cell.pane_count(), f.mesh.counts.faces));
+    t.add(prefix + "points", fmt::format("{}, in {} orbits", f.mesh.counts.vertices, cell.point_count()));
+    t.add(prefix + "volume", fmt::format("{} {}³", rounded(cell.volume()), units));
+}
+
 void add_pane(Table& t, const PaneCheck& p, const std::string& prefix)
 {
     t.add(prefix + "points", std::to_string(p.points));
@@ -360,7 +406,7 @@ std::string info_json(const Scene& scene, std::string_view file, const std::opti
     j["units"] = units;
     if (facts.only_source && facts.graph) add_graph(j, *facts.graph);
     else if (facts.only_source && facts.pane) add_pane(j, *facts.pane);
-    else if (facts.only_source && !facts.tile->body) add_nothing(j);
+    else if (facts.only_source && facts.tile && !facts.tile->body) add_nothing(j);
     else add_mesh(j, m);
     j["groups"] = groups_json(m, *scene.groups);
     j["selection"] = {{"faces", ids_json(scene.selection->faces)},
@@ -374,6 +420,7 @@ std::string info_json(const Scene& scene, std::string_view file, const std::opti
         if (facts.graph) add_own_of_graph(j, *facts.graph);
         if (facts.pane) add_own_of_pane(j, facts.pane->own);
         if (facts.tile) add_own_of_tile(j, *facts.tile);
+        if (facts.cell) add_own_of_cell(j, *facts.cell);
     } else if (facts.graph) {
         Json& g = j["graph"];
         g["vertices"] = facts.graph->vertices;
@@ -384,6 +431,8 @@ std::string info_json(const Scene& scene, std::string_view file, const std::opti
         add_own_of_pane(j["pane"], facts.pane->own);
     } else if (facts.tile) {
         add_own_of_tile(j["tile"], *facts.tile);
+    } else if (facts.cell) {
+        add_own_of_cell(j["cell"], *facts.cell);
     }
     return j.dump(2, ' ', false, Json::error_handler_t::replace);
 }
@@ -402,6 +451,9 @@ std::string info_text(const Scene& scene, std::string_view file, const std::opti
         add_tile(t, *facts.tile, facts.tile->body ? "tile " : "");
         if (facts.tile->body) add_mesh(t, facts.mesh, *scene.groups);
         else add_lines(t, facts.tile->lines);
+    } else if (facts.only_source && facts.cell) {
+        add_cell(t, *facts.cell, "");
+        add_mesh(t, facts.mesh, *scene.groups);
     } else if (facts.only_source) {
         add_pane(t, facts.pane->own, "");
         add_lines(t, facts.pane->lines);
@@ -420,6 +472,7 @@ std::string info_text(const Scene& scene, std::string_view file, const std::opti
         if (facts.graph) add_graph(t, *facts.graph, "graph ");
         if (facts.pane) add_pane(t, facts.pane->own, "pane ");
         if (facts.tile) add_tile(t, *facts.tile, "tile ");
+        if (facts.cell) add_cell(t, *facts.cell, "cell ");
     }
     return t.take();
 }

@@ -18,6 +18,7 @@ const Registry& all_operators()
         register_pane(r);
         register_tile(r);
         register_tile_image(r);
+        register_cell(r);
         register_mesh(r);
         register_check(r);
         register_document(r);

@@ -13,7 +13,8 @@ void write_document(const Document& document, OutputSet& output, const std::file
         return;
     }
     const Scene& scene = document.scene();
-    output.write({scene.mesh, *scene.groups, std::get_if<Graph>(&*scene.source), &scene.rind, std::get_if<Pane>(&*scene.source), std::get_if<LayeredTile>(&*scene.source)}, target, options);
+    output.write({scene.mesh, *scene.groups, std::get_if<Graph>(&*scene.source), &scene.rind, std::get_if<Pane>(&*scene.source), std::get_if<LayeredTile>(&*scene.source),
+                  std::get_if<CellTile>(&*scene.source)}, target, options);
 }
 
 } // namespace druse

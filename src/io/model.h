@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cell/cell_tile.h"
 #include "dlfl/group_table.h"
 #include "dlfl/mesh.h"
 #include "dlfl/rind.h"
@@ -13,7 +14,7 @@
 
 namespace druse {
 
-/// What a file holds: a mesh with its groups and the table of its rind, and a source: a graph, a pane or a tile.
+/// What a file holds: a mesh with its groups and the table of its rind, and a source: a graph, a pane, a tile or a cell.
 struct Model {
     Mesh mesh;
     Rind rind{};
@@ -21,6 +22,7 @@ struct Model {
     std::optional<Graph> graph;
     std::optional<Pane> pane;
     std::optional<LayeredTile> tile;
+    std::optional<CellTile> cell;
     std::vector<std::string> notes; // what the reader mended or left out, one line each
 };
 
@@ -32,6 +34,7 @@ struct ModelView {
     const Rind* rind = nullptr;
     const Pane* pane = nullptr;
     const LayeredTile* tile = nullptr;
+    const CellTile* cell = nullptr;
 
     /// The graph beside the mesh, if it is more than what struts in the mesh were made of.
     const Graph* lines() const { return has_edges() && graph->struts.edge_ids.empty() ? graph : nullptr; }

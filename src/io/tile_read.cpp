@@ -1,7 +1,8 @@
 #include "io/tile_file.h"
 
 #include "dlfl/errors.h"
-#include "io/text_walk.h"
+#include "io/cell_file.h"
+#include "io/tile_json.h"
 #include "tile/tile_look.h"
 
 #include <fmt/format.h>
@@ -18,103 +19,15 @@ namespace druse {
 
 namespace {
 
-using TileJson = nlohmann::ordered_json;
-
 constexpr std::uint64_t largest_tile_file = 1u << 30;
-constexpr std::size_t deepest_tile_value = 64; // of lists and objects in each other
-constexpr int tile_version = 1;
 
-/// Looks for the line on which the value at a path of keys begins, by reading the text once more; and refuses values too deep in each other.
-class PathFinder {
+/// A file of a layered tile.
+class TileFileReader : TileJsonFile {
 public:
-    PathFinder(const TextPlace& place, std::string_view wanted) : place_(place), wanted_(wanted) {}
-    long line() const { return found_; }
-    bool is_too_deep() const { return deepest_ > deepest_tile_value; }
-
-    bool null() { return value(); }
-    bool boolean(bool) { return value(); }
-    bool number_integer(std::int64_t) { return value(); }
-    bool number_unsigned(std::uint64_t) { return value(); }
-    bool number_float(double, const std::string&) { return value(); }
-    bool string(const std::string&) { return value(); }
-    bool binary(const nlohmann::json::binary_t&) { return value(); }
-    bool start_object(std::size_t) { return open(false); }
-    bool start_array(std::size_t) { return open(true); }
-    bool end_object() { return close(); }
-    bool end_array() { return close(); }
-    bool key(const std::string& name)
-    {
-        levels_.back().key = name;
-        return true;
-    }
-    template <class Error>
-    bool parse_error(std::size_t, const std::string&, const Error&)
-    {
-        return false;
-    }
-
-private:
-    struct Level {
-        bool is_list = false;
-        std::size_t count = 0;
-        std::string key;
-    };
-
-    bool value()
-    {
-        if (!levels_.empty() && levels_.back().is_list) levels_.back().key = fmt::format("[{}]", levels_.back().count++);
-        std::string path;
-        for (const Level& level : levels_) path += level.is_list || path.empty() ? level.key : "." + level.key;
-        if (found_ == 0 && path == wanted_ && !wanted_.empty()) found_ = place_.line();
-        return true;
-    }
-    bool open(bool is_list)
-    {
-        value();
-        levels_.push_back({is_list, 0, {}});
-        deepest_ = std::max(deepest_, levels_.size());
-        return deepest_ <= deepest_tile_value;
-    }
-    bool close()
-    {
-        levels_.pop_back();
-        return true;
-    }
-
-    const TextPlace& place_;
-    std::string_view wanted_;
-    std::vector<Level> levels_;
-    std::size_t deepest_ = 0;
-    long found_ = 0;
-};
-
-/// A tile file as a tree, whose values are asked for by path.
-class TileFileReader {
-public:
-    TileFileReader(std::string_view text, std::string file) : text_(text), file_(std::move(file))
-    {
-        if (find("").is_too_deep()) throw InputError(file_, fmt::format("lists in lists, more than {} deep", deepest_tile_value));
-        try {
-            json_ = TileJson::parse(text.begin(), text.end());
-        } catch (const TileJson::parse_error& error) {
-            const std::size_t at = std::min(error.byte, text.size());
-            const long line = 1 + static_cast<long>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at > 0 ? at - 1 : 0), '\n'));
-            throw InputError(file_, line, at >= text.size() ? "ends where more of its JSON should be" : "is no JSON from here on");
-        } catch (const TileJson::exception&) {
-            throw InputError(file_, "a number that is too large");
-        }
-        if (!json_.is_object()) throw InputError(file_, "expected an object of JSON");
-    }
+    explicit TileFileReader(TileJsonFile&& file) : TileJsonFile(std::move(file)), json_(json()) {}
 
     LayeredTile read()
     {
-        if (text_at("format") != "druse-tile") fail("format", R"(expected "druse-tile")");
-        const double version = number_at(json_, "version", "version", {});
-        if (version > tile_version) fail("version", fmt::format("{} is of a newer Druse: this one reads up to {}", version, tile_version));
-        if (version != tile_version) fail("version", fmt::format("expected {}", tile_version));
-        if (text_at("kind") != "layered") fail("kind", R"(expected "layered")");
-        if (json_.contains("units") && text_at("units") != "mm") fail("units", R"(expected "mm")");
-
         TileDesign design;
         const IsohedralType& type = read_type(design);
         design.size = number_at(json_, "size", "size", {});
@@ -137,76 +50,6 @@ public:
     }
 
 private:
-    PathFinder find(std::string_view path) const
-    {
-        TextPlace place{text_.data(), text_.data(), text_.data() + text_.size()};
-        PathFinder finder(place, path);
-        nlohmann::json::sax_parse(TextWalk(place, text_.data()), TextWalk(place, text_.data() + text_.size()), &finder);
-        return finder;
-    }
-
-    [[noreturn]] void fail(const std::string& path, const std::string& what) const
-    {
-        // A key that is missing is missed on the line of what should hold it.
-        std::string holder = path;
-        long line = find(holder).line();
-        while (line == 0 && !holder.empty()) {
-            const std::size_t cut = holder.find_last_of(".[");
-            holder.resize(cut == std::string::npos ? 0 : cut);
-            line = find(holder).line();
-        }
-        throw InputError(file_, std::max(line, 1L), path + ": " + what);
-    }
-
-    template <class F>
-    void at(const std::string& path, F&& f) const
-    {
-        try {
-            f();
-        } catch (const InputError&) {
-            throw;
-        } catch (const CommandError& error) {
-            fail(path, error.what());
-        }
-    }
-
-    double number(const TileJson& j, const std::string& path) const
-    {
-        if (!j.is_number()) fail(path, "expected a number");
-        const auto x = j.get<double>();
-        if (!(std::abs(x) <= 1e100)) fail(path, "numbers go to 1e100");
-        return x;
-    }
-    double number_at(const TileJson& j, const char* key, const std::string& path, std::optional<double> otherwise) const
-    {
-        if (j.contains(key)) return number(j[key], path);
-        if (!otherwise) fail(path, "is missing");
-        return *otherwise;
-    }
-    std::string text_at(const std::string& key) const
-    {
-        if (!json_.contains(key)) fail(key, "is missing");
-        if (!json_[key].is_string()) fail(key, "expected a text");
-        return json_[key].get<std::string>();
-    }
-    Point2 pair(const TileJson& j, const std::string& path) const
-    {
-        if (!j.is_array() || j.size() != 2) fail(path, "expected 2 numbers");
-        return {number(j[0], path + "[0]"), number(j[1], path + "[1]")};
-    }
-    std::vector<Point2> pairs(const TileJson& j, const std::string& path) const
-    {
-        if (!j.is_array()) fail(path, "expected a list");
-        std::vector<Point2> points;
-        for (std::size_t i = 0; i < j.size(); ++i) points.push_back(pair(j[i], fmt::format("{}[{}]", path, i)));
-        return points;
-    }
-    const TileJson& list_at(const char* key) const
-    {
-        if (!json_[key].is_array()) fail(key, "expected a list");
-        return json_[key];
-    }
-
     const IsohedralType& read_type(TileDesign& design) const
     {
         const std::string name = text_at("type");
@@ -224,8 +67,8 @@ private:
             design.parameters = type.default_parameters();
             return;
         }
-        const TileJson& list = list_at("params");
-        for (std::size_t i = 0; i < list.size(); ++i) design.parameters.push_back(number(list[i], fmt::format("params[{}]", i)));
+        const TileJson& items = list(json_["params"], "params");
+        for (std::size_t i = 0; i < items.size(); ++i) design.parameters.push_back(number(items[i], fmt::format("params[{}]", i)));
         at("params", [&] { type.corners_of(design.parameters); });
     }
 
@@ -233,14 +76,14 @@ private:
     {
         design.paths.resize(type.shapes.size());
         if (!json_.contains("paths")) return;
-        const TileJson& list = list_at("paths");
-        if (list.size() != type.shapes.size()) fail("paths", fmt::format("{} has {} of them ({}), not {}", type.name(), type.shapes.size(), type.shape_text(), list.size()));
-        for (std::size_t p = 0; p < list.size(); ++p) {
+        const TileJson& items = list(json_["paths"], "paths");
+        if (items.size() != type.shapes.size()) fail("paths", fmt::format("{} has {} of them ({}), not {}", type.name(), type.shapes.size(), type.shape_text(), items.size()));
+        for (std::size_t p = 0; p < items.size(); ++p) {
             const std::string path = fmt::format("paths[{}]", p);
-            if (!list[p].is_object()) fail(path, "expected an object");
+            if (!items[p].is_object()) fail(path, "expected an object");
             const std::string shape(1, letter(type.shapes[p]));
-            if (list[p].contains("shape") && list[p]["shape"] != shape) fail(path + ".shape", fmt::format("expected \"{}\" of {}", shape, type.name()));
-            if (list[p].contains("points")) design.paths[p] = pairs(list[p]["points"], path + ".points");
+            if (items[p].contains("shape") && items[p]["shape"] != shape) fail(path + ".shape", fmt::format("expected \"{}\" of {}", shape, type.name()));
+            if (items[p].contains("points")) design.paths[p] = pairs(items[p]["points"], path + ".points");
             at(path + ".points", [&] { check_path(type, static_cast<int>(p), design.paths[p]); });
         }
     }
@@ -248,15 +91,15 @@ private:
     void read_segments(TileDesign& design) const
     {
         if (!json_.contains("segments")) return;
-        const TileJson& list = list_at("segments");
-        for (std::size_t s = 0; s < list.size(); ++s) {
+        const TileJson& items = list(json_["segments"], "segments");
+        for (std::size_t s = 0; s < items.size(); ++s) {
             const std::string path = fmt::format("segments[{}]", s);
-            if (!list[s].is_array() || list[s].size() < 2) fail(path, "expected 2 names of points, or more");
+            if (!items[s].is_array() || items[s].size() < 2) fail(path, "expected 2 names of points, or more");
             auto& chain = design.segments.emplace_back();
-            for (std::size_t i = 0; i < list[s].size(); ++i) {
+            for (std::size_t i = 0; i < items[s].size(); ++i) {
                 const std::string place = fmt::format("{}[{}]", path, i);
-                if (!list[s][i].is_string()) fail(place, "expected a name of a point");
-                at(place, [&] { chain.push_back(PointName::parse(list[s][i].get<std::string>())); });
+                if (!items[s][i].is_string()) fail(place, "expected a name of a point");
+                at(place, [&] { chain.push_back(PointName::parse(items[s][i].get<std::string>())); });
             }
         }
     }
@@ -290,26 +133,23 @@ private:
     }
 
     /// How it is drawn stays in what is kept. The picture itself is not looked at: a tile whose picture is gone is a tile still.
-    void check_view()
+    void check_view() const
     {
         if (!json_.contains("view")) return;
-        TileJson& view = json_["view"];
-        if (!view.is_object()) fail("view", "expected an object");
-        if (view.contains("trace")) check_trace_at(view["trace"]);
+        const TileJson& view = object(json_["view"], "view");
+        if (view.contains("trace")) check_trace_at(object(view["trace"], "view.trace"));
         if (!view.contains("colors")) return;
-        const TileJson& list = view["colors"];
-        if (!list.is_array() || list.size() != TileLook().colours.size()) fail("view.colors", "expected 3 colours");
-        for (std::size_t i = 0; i < list.size(); ++i)
-            if (!list[i].is_string() || !colour_from_hex(list[i].get<std::string>())) fail(fmt::format("view.colors[{}]", i), "expected a colour as \"#cc3333\"");
+        const TileJson& colours = view["colors"];
+        if (!colours.is_array() || colours.size() != TileLook().colours.size()) fail("view.colors", "expected 3 colours");
+        for (std::size_t i = 0; i < colours.size(); ++i)
+            if (!colours[i].is_string() || !colour_from_hex(colours[i].get<std::string>()))
+                fail(fmt::format("view.colors[{}]", i), "expected a colour as \"#cc3333\"");
     }
 
-    /// Within the program the picture has its full name.
-    void check_trace_at(TileJson& j)
+    void check_trace_at(const TileJson& j) const
     {
         TileTrace trace;
-        if (!j.is_object()) fail("view.trace", "expected an object");
         if (!j.contains("image") || !j["image"].is_string()) fail("view.trace.image", "expected a name of a file");
-        j["image"] = (std::filesystem::absolute(file_).parent_path() / j["image"].get<std::string>()).lexically_normal().string();
         const double opacity = number_at(j, "opacity", "view.trace.opacity", trace.opacity);
         if (!(opacity >= 0 && opacity <= 1)) fail("view.trace.opacity", "expected 0 to 1");
         if (!j.contains("place")) return;
@@ -330,6 +170,10 @@ private:
                 path["shape"] = nullptr;
                 path["points"] = nullptr;
             }
+        if (rest.contains("view") && rest["view"].contains("trace")) { // within the program the picture has its full name
+            TileJson& image = rest["view"]["trace"]["image"];
+            image = (std::filesystem::absolute(file()).parent_path() / image.get<std::string>()).lexically_normal().string();
+        }
         return rest;
     }
 
@@ -371,12 +215,10 @@ private:
             at("heights." + name.text(), [&] { LayeredTile(part).find(name); });
         }
         at("segments", [&] { const LayeredTile trial(design); });
-        throw InputError(file_, "makes no tile");
+        fail("makes no tile");
     }
 
-    std::string_view text_;
-    std::string file_;
-    TileJson json_;
+    const TileJson& json_;
 };
 
 } // namespace
@@ -387,7 +229,9 @@ Model read_tile(ByteSource& source)
     std::string_view text(bytes.data(), bytes.size());
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     Model model;
-    model.tile.emplace(TileFileReader(text, source.name()).read());
+    TileJsonFile file(text, source.name());
+    if (file.kind() == "cell") model.cell.emplace(read_cell(file));
+    else model.tile.emplace(TileFileReader(std::move(file)).read());
     return model;
 }
 

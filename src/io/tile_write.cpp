@@ -1,37 +1,18 @@
 #include "io/tile_file.h"
 
 #include "dlfl/errors.h"
+#include "io/cell_file.h"
+#include "io/tile_json.h"
 #include "tile/tile_look.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <filesystem>
 #include <string>
 
 namespace druse {
 
 namespace {
-
-using TileJson = nlohmann::ordered_json;
-
-TileJson pair_json(const Point2& p) { return TileJson::array({p.x, p.y}); }
-
-TileJson pairs_json(const std::vector<Point2>& points)
-{
-    TileJson list = TileJson::array();
-    for (const Point2& p : points) list.push_back(pair_json(p));
-    return list;
-}
-
-/// An object that is there already keeps its other keys, and their order.
-TileJson& object_in(TileJson& parent, const char* key)
-{
-    TileJson& value = parent[key];
-    if (!value.is_object()) value = TileJson::object();
-    return value;
-}
 
 /// A file beside the one that is written is named from there, so that both can be moved together.
 std::string beside(const std::string& file, const std::string& written)
@@ -83,58 +64,12 @@ TileJson json_of(const LayeredTile& tile, const std::string& written)
     return j;
 }
 
-void put_json(const TileJson& j, ByteSink& sink)
-{
-    char before = j.is_object() ? '{' : '[';
-    switch (j.type()) {
-    case TileJson::value_t::number_float: {
-        const auto x = j.get<double>();
-        if (x == 0 && std::signbit(x)) sink.put("-0.0"); // a reader may take -0 for a whole number, which has no sign then
-        else sink.put(x);
-        return;
-    }
-    case TileJson::value_t::array:
-        for (const TileJson& item : j) {
-            sink.put(before);
-            if (before == ',') sink.put(' ');
-            put_json(item, sink);
-            before = ',';
-        }
-        if (before == '[') sink.put('[');
-        sink.put(']');
-        return;
-    case TileJson::value_t::object:
-        for (const auto& [key, value] : j.items()) {
-            sink.put(before);
-            if (before == ',') sink.put(' ');
-            sink.put(TileJson(key).dump());
-            sink.put(": ");
-            put_json(value, sink);
-            before = ',';
-        }
-        if (before == '{') sink.put('{');
-        sink.put('}');
-        return;
-    default: sink.put(j.dump()); return;
-    }
-}
-
 } // namespace
 
 void write_tile(const ModelView& model, OutputFiles& out)
 {
-    if (!model.tile) throw InputError(out.name(), "the document holds no tile to write");
-    ByteSink& sink = out.main();
-    const char* before = "{ ";
-    const TileJson tree = json_of(*model.tile, out.name());
-    for (const auto& [key, value] : tree.items()) {
-        sink.put(before);
-        sink.put(TileJson(key).dump());
-        sink.put(": ");
-        put_json(value, sink);
-        before = ",\n  ";
-    }
-    sink.put(" }\n");
+    if (!model.tile && !model.cell) throw InputError(out.name(), "the document holds no tile to write");
+    put_tile(model.tile ? json_of(*model.tile, out.name()) : cell_json(*model.cell), out.main());
 }
 
 } // namespace druse

@@ -40,6 +40,7 @@ void register_rind(Registry& registry);
 void register_graph(Registry& registry);
 void register_pane(Registry& registry);
 void register_tile(Registry& registry);
+void register_cell(Registry& registry);
 void register_mesh(Registry& registry);
 void register_check(Registry& registry);
 

@@ -1,5 +1,7 @@
 #include "ops/shown_lines.h"
 
+#include "cell/cell_solid.h"
+
 #include <algorithm>
 
 namespace druse {
@@ -33,6 +35,18 @@ Graph tile_edges(const LayeredTile& tile)
     return graph;
 }
 
+Graph cell_edges(const CellTile& cell)
+{
+    CellSolid solid = make_solid(cell);
+    Graph graph;
+    graph.vertices = std::move(solid.points);
+    for (const auto& t : solid.triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            if (t[i] < t[(i + 1) % 3]) graph.edges.push_back({t[i], t[(i + 1) % 3]}); // a closed surface has each edge both ways
+    std::ranges::sort(graph.edges);
+    return graph;
+}
+
 bool shows_source(const Scene& scene) { return scene.mesh.face_count() == 0 && !std::holds_alternative<std::monostate>(*scene.source); }
 
 ShownLines::ShownLines(const Scene& scene)
@@ -45,6 +59,10 @@ ShownLines::ShownLines(const Scene& scene)
     }
     if (const LayeredTile* tile = std::get_if<LayeredTile>(&*scene.source)) {
         made_ = tile_edges(*tile);
+        graph_ = &made_;
+    }
+    if (const CellTile* cell = std::get_if<CellTile>(&*scene.source)) {
+        made_ = cell_edges(*cell);
         graph_ = &made_;
     }
 }

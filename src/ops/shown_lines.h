@@ -11,10 +11,13 @@ Graph pane_edges(const Pane& pane);
 /// The edges of the triangles of a tile in the world, at their heights; vertex k is its point k. Cost: linear, but for a sort.
 Graph tile_edges(const LayeredTile& tile);
 
+/// The edges of a cell in the world, those that panes share once; vertex k is that of cell.solid. Cost: linear, but for a sort.
+Graph cell_edges(const CellTile& cell);
+
 /// Whether the source is what one sees of a scene: it is while there are no faces.
 bool shows_source(const Scene& scene);
 
-/// The lines that are drawn of a scene without faces: its graph, or the edges of its pane or tile. The scene must outlive it.
+/// The lines that are drawn of a scene without faces: its graph, or the edges of its pane, tile or cell. The scene must outlive it.
 class ShownLines {
 public:
     explicit ShownLines(const Scene& scene);

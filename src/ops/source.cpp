@@ -21,12 +21,13 @@ std::size_t bytes_of(const Graph& graph)
 
 std::size_t bytes_of(const Pane& pane) { return pane.bytes(); }
 std::size_t bytes_of(const LayeredTile& tile) { return tile.bytes(); }
+std::size_t bytes_of(const CellTile& cell) { return cell.bytes(); }
 
 } // namespace
 
 const char* name(const Source& source)
 {
-    static constexpr const char* names[] = {"", "graph", "pane", "tile"};
+    static constexpr const char* names[] = {"", "graph", "pane", "tile", "cell"};
     static_assert(std::size(names) == std::variant_size_v<Source>);
     return names[source.index()];
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cell/cell_tile.h"
 #include "graph/graph.h"
 #include "pane/pane.h"
 #include "tile/layered_tile.h"
@@ -13,7 +14,7 @@
 namespace druse {
 
 /// What operators make a mesh from, edited by its own family.
-using Source = std::variant<std::monostate, Graph, Pane, LayeredTile>;
+using Source = std::variant<std::monostate, Graph, Pane, LayeredTile, CellTile>;
 
 /// What a source is called in messages, `graph`; empty where there is none.
 const char* name(const Source& source);

@@ -24,7 +24,7 @@ TEST(Reference, HoldsEveryFamilyInMenuOrder)
     std::vector<std::string> families;
     for (const Operator& op : all_operators().operators())
         if (families.empty() || families.back() != op.family()) families.push_back(op.family());
-    const std::vector<std::string> expected{"make", "face", "select", "group", "extrude", "remesh", "topology", "rind", "graph", "pane", "tile", "mesh", "check", "document"};
+    const std::vector<std::string> expected{"make", "face", "select", "group", "extrude", "remesh", "topology", "rind", "graph", "pane", "tile", "cell", "mesh", "check", "document"};
     EXPECT_EQ(families, expected);
 }
 

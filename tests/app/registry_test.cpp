@@ -35,6 +35,16 @@ Document prepared(const NamedShape& shape, const Operator& op)
                                     "tile.stack mode=shift offset=0.3,0.2", "tile.extrude thickness=0.5", "tile.height points=i0 set=0.1"})
             EXPECT_EQ(complaint(document, command), "");
     }
+    if (op.family() == "cell") {
+        // Panes 0 and 1 have a point each and are flat; what is of phase II has the cell shaped.
+        for (const char* command : {"cell.new cell=fcc", "cell.edge_add edge=1 t=0.25", "cell.point_add pane=0 at=0,0.05", "cell.point_add pane=1 at=0,0.05",
+                                    "cell.constrain pane=1 from=v1 to=i0"})
+            EXPECT_EQ(complaint(document, command), "");
+        const bool is_shaped = op.name == "cell.move" || op.name.starts_with("cell.split") || op.name == "cell.flip" || op.name == "cell.rollback";
+        if (is_shaped) {
+            EXPECT_EQ(complaint(document, "cell.shape"), "");
+        }
+    }
     for (const char* command : {"select.vertices vertices=all", "select.edges edges=all", "select.faces faces=all", "select.faces faces=none", "document.undo"})
         if (complaint(document, command) != "") ADD_FAILURE() << command;
     return document;

@@ -1,0 +1,60 @@
+#pragma once
+
+// How points, edges and triangles of a cell are parameters.
+
+#include "cell/cell_point_name.h"
+#include "ops/pane_parameters.h"
+
+#include <string>
+#include <vector>
+
+namespace druse {
+
+class CellTile;
+struct Selection;
+
+template <>
+struct ParameterType<CellPointName> {
+    static constexpr auto type = Parameter::Type::text;
+    static CellPointName parse(std::string_view t, const Domain&) { return CellPointName::parse(t); }
+    static std::string text(const CellPointName& x, const Domain&) { return x.text(); }
+};
+
+/// Names of points in one pane, as `v0,i0`.
+struct CellPath {
+    std::vector<CellPointName> points;
+};
+template <>
+struct ParameterType<CellPath> {
+    static constexpr auto type = Parameter::Type::texts;
+    static CellPath parse(std::string_view t, const Domain& d);
+    static std::string text(const CellPath& x, const Domain& d);
+};
+
+/// A triangle of a pane, as `p3:7`.
+struct CellTriangle {
+    int pane = 0, triangle = 0;
+};
+template <>
+struct ParameterType<CellTriangle> {
+    static constexpr auto type = Parameter::Type::text;
+    static CellTriangle parse(std::string_view t, const Domain& d);
+    static std::string text(const CellTriangle& x, const Domain& d);
+};
+
+/// Points of a cell: names, or `all`, `outline` (corners and points of edges), `interior`, `none` and `selected`, which are the selected vertices of the mesh that
+/// cell.solid made, by number.
+struct CellPoints {
+    std::vector<std::string> words;
+
+    /// In the order in which they are named, each perhaps more than once. @throws CommandError where there is no such point
+    std::vector<int> resolve(const CellTile& tile, const Selection& selection) const;
+};
+template <>
+struct ParameterType<CellPoints> {
+    static constexpr auto type = Parameter::Type::texts;
+    static CellPoints parse(std::string_view t, const Domain& d);
+    static std::string text(const CellPoints& x, const Domain& d);
+};
+
+} // namespace druse
