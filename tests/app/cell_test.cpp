@@ -158,7 +158,7 @@ TEST(CellFile, SaysLineAndKeyOfWhatIsWrong)
                           Case{"\"phase\": 2", "\"phase\": 1", "11: shape: is of phase 2"}, Case{"\"phase\": 2", "\"phase\": 3", "10: phase: "},
                           Case{"\"c2\"", "\"c7\"", "11: shape.moved.c7: no-such-point"}, Case{"\"triangle\": 2", "\"triangle\": 99", "11: shape.splits[0]: no-such-triangle"},
                           Case{"\"triangle\": 2", "\"triangle\": 0.5", "11: shape.splits[0].triangle: expected a whole number"},
-                          Case{"\"new\": [\"i1\"]", "\"new\": [\"i9\"]", "11: shape.flat: no-such-point"}, Case{"\"kind\": \"cell\"", "\"kind\": \"sell\"", "4: kind: expected"}}) {
+                          Case{"\"new\": [\"i1\"]", "\"new\": [\"i9\"]", "11: shape.flat: no-such-point"}, Case{"\"kind\": \"cell\"", "\"kind\": \"sell\"", "3: kind: expected"}}) {
         std::string bad = good;
         ASSERT_NE(bad.find(c.from), std::string::npos) << c.from << "\n" << good;
         bad.replace(bad.find(c.from), std::string(c.from).size(), c.to);

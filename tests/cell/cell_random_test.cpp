@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace druse {
 namespace {
@@ -52,6 +54,34 @@ private:
     std::vector<LatticeStep> near_;
 };
 
+/// Triangles whose reversed twin on a neighbour is not there, once: by orbits and steps, without rounding.
+std::size_t unpaired(const CellTile& tile)
+{
+    using Corner = std::pair<int, LatticeStep>;
+    const CellSolid solid = make_solid(tile);
+    std::vector<Corner> corner_of;
+    for (int i = 0; i < tile.point_count(); ++i)
+        for (const LatticeStep& step : tile.members(i)) corner_of.emplace_back(i, step);
+    const auto turned = [](std::array<Corner, 3> t) {
+        std::ranges::rotate(t, std::ranges::min_element(t));
+        return t;
+    };
+    std::map<std::array<Corner, 3>, int> count;
+    for (const auto& [a, b, c] : solid.triangles) ++count[turned({corner_of[a], corner_of[b], corner_of[c]})];
+    std::size_t alone = 0;
+    for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
+        const LatticeStep step = tile.cell().panes[std::size_t(solid.sides[i].pane)].translation;
+        std::array<Corner, 3> twin;
+        for (std::size_t k = 0; k < 3; ++k) {
+            twin[k] = corner_of[solid.triangles[i][2 - k]];
+            twin[k].second = solid.sides[i].far ? twin[k].second + step : twin[k].second - step;
+        }
+        const auto found = count.find(turned(twin));
+        alone += found == count.end() || found->second != 1;
+    }
+    return alone;
+}
+
 class EveryCellAtRandom : public testing::TestWithParam<CellKind> {};
 
 TEST_P(EveryCellAtRandom, HasTheCountsAndVolumesOfExactArithmetic)
@@ -89,6 +119,7 @@ TEST_P(EveryCellAtRandom, FillsSpaceOnceWhereItsSurfaceDoesNotMeetItself)
         const Mesh mesh = mesh_of(moved);
         EXPECT_NEAR(volume(mesh), moved.volume(), 1e-9 * moved.volume());
         EXPECT_LE(found.pane_mismatch, 1e-12 * moved.size() * 10);
+        EXPECT_EQ(unpaired(moved), 0u);
         EXPECT_EQ(found.genus, 0);
         EXPECT_EQ(found.faults.size(), found.pierced.size());
         const bool single = Covering(moved, mesh).is_single(random, part > 1 ? 60 : 8);
