@@ -1,61 +1,55 @@
 #include "cell/cell_point_name.h"
 
 #include "dlfl/errors.h"
+#include "pane/name_scanner.h"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
 
 namespace druse {
 
 namespace {
 
-/// Takes a letter and the number behind it off the front; -1: that is not what is there.
-int take_numbered(std::string_view& text, char letter)
-{
-    int value = 0;
-    if (text.size() < 2 || text[0] != letter || text[1] == '-') return -1;
-    const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), value);
-    if (error != std::errc()) return -1;
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    return value;
-}
-
 std::optional<CellPointName> parse_cell_name(std::string_view text)
 {
     using Kind = CellPointName::Kind;
+    NameScanner scanner(text);
     CellPointName name;
-    if (!text.empty() && text[0] == 'p') {
-        name.pane = take_numbered(text, 'p');
-        if (name.pane < 0 || text.empty() || text[0] != ':') return {};
-        text.remove_prefix(1);
+    if (scanner.take('p')) {
+        const auto pane = scanner.take_number();
+        if (!pane || !scanner.take(':')) return {};
+        name.pane = *pane;
     }
-    const char kind = text.empty() ? ' ' : text[0];
-    const int number = take_numbered(text, kind);
-    if (number < 0) return {};
-    name.index = number;
+    const char kind = scanner.take_any();
+    const auto number = scanner.take_number();
+    if (!number) return {};
+    name.index = *number;
     switch (kind) {
     case 'i': name.kind = Kind::interior; break;
     case 'v': name.kind = Kind::pane_corner; break;
     case 'c': name.kind = Kind::corner; break;
     case 's':
         name.kind = Kind::split;
-        if (!text.empty() && (name.side = take_numbered(text, '@')) < 0) return {};
+        if (scanner.take('@')) {
+            const auto side = scanner.take_number();
+            if (!side) return {};
+            name.side = *side;
+        }
         break;
     case 'e':
     case 'x': {
+        const auto index = scanner.take(':') ? scanner.take_number(1) : std::nullopt;
+        if (!index) return {};
         name.kind = kind == 'e' ? Kind::side : Kind::edge;
-        name.line = number;
-        const int index = take_numbered(text, ':');
-        if (index < 1) return {};
-        name.index = index - 1;
+        name.line = *number;
+        name.index = *index - 1;
         break;
     }
     default: return {};
     }
     if (name.pane >= 0 && (kind == 'c' || kind == 'x')) return {};
-    return text.empty() ? std::optional(name) : std::nullopt;
+    return scanner.done() ? std::optional(name) : std::nullopt;
 }
 
 } // namespace

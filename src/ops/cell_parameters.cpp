@@ -2,6 +2,7 @@
 
 #include "cell/cell_tile.h"
 #include "ops/scene.h"
+#include "pane/name_scanner.h"
 
 #include <fmt/format.h>
 
@@ -38,11 +39,11 @@ std::string ParameterType<CellPath>::text(const CellPath& x, const Domain&)
 
 CellTriangle ParameterType<CellTriangle>::parse(std::string_view t, const Domain&)
 {
-    const std::size_t colon = t.find(':');
-    const auto is_number = [](std::string_view s) { return !s.empty() && s.size() < 10 && s.find_first_not_of("0123456789") == std::string_view::npos; };
-    if (!t.starts_with('p') || colon == std::string_view::npos || !is_number(t.substr(1, colon - 1)) || !is_number(t.substr(colon + 1)))
-        throw CommandError("expected a triangle of a pane, as p3:7");
-    return {static_cast<int>(parse_integer(t.substr(1, colon - 1))), static_cast<int>(parse_integer(t.substr(colon + 1)))};
+    NameScanner scanner(t);
+    const auto pane = scanner.take('p') ? scanner.take_number() : std::nullopt;
+    const auto triangle = scanner.take(':') ? scanner.take_number() : std::nullopt;
+    if (!pane || !triangle || !scanner.done()) throw CommandError("expected a triangle of a pane, as p3:7");
+    return {*pane, *triangle};
 }
 
 std::string ParameterType<CellTriangle>::text(const CellTriangle& x, const Domain&) { return fmt::format("p{}:{}", x.pane, x.triangle); }

@@ -1,40 +1,22 @@
 #include "tile/point_name.h"
 
 #include "dlfl/errors.h"
+#include "pane/name_scanner.h"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
 
 namespace druse {
 
 namespace {
 
-/// Takes a number off the front.
-std::optional<int> take_number(std::string_view& text)
-{
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end == text.data() || text[0] == '-') return {};
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    return value;
-}
-
-bool take(std::string_view& text, char c)
-{
-    if (text.empty() || text[0] != c) return false;
-    text.remove_prefix(1);
-    return true;
-}
-
 std::optional<PointName> parse_name(std::string_view text)
 {
     using Kind = PointName::Kind;
-    if (text.empty()) return {};
-    const char kind = text[0];
-    text.remove_prefix(1);
-    const auto number = take_number(text);
+    NameScanner scanner(text);
+    const char kind = scanner.take_any();
+    const auto number = scanner.take_number();
     if (!number) return {};
     PointName name;
     switch (kind) {
@@ -42,20 +24,19 @@ std::optional<PointName> parse_name(std::string_view text)
     case 'i': name = PointName::interior(*number); break;
     case 'm': name = {Kind::middle, *number, 0, -1}; break;
     case 'e': {
-        if (!take(text, ':')) return {};
-        const auto index = take_number(text);
-        if (!index || *index < 1) return {};
-        name = {take(text, 'm') ? Kind::mirrored : Kind::path, *number, *index - 1, -1};
+        const auto index = scanner.take(':') ? scanner.take_number(1) : std::nullopt;
+        if (!index) return {};
+        name = {scanner.take('m') ? Kind::mirrored : Kind::path, *number, *index - 1, -1};
         break;
     }
     default: return {};
     }
-    if (name.is_of_path() && take(text, '@')) {
-        const auto edge = take_number(text);
+    if (name.is_of_path() && scanner.take('@')) {
+        const auto edge = scanner.take_number();
         if (!edge) return {};
         name.edge = *edge;
     }
-    return text.empty() ? std::optional(name) : std::nullopt;
+    return scanner.done() ? std::optional(name) : std::nullopt;
 }
 
 } // namespace
