@@ -105,7 +105,7 @@ std::vector<Vector> free_directions(const CellTile& tile, const CellSolid& solid
         }
         if (!leaves) continue;
         free.push_back(way);
-        free.push_back(-way);
+        free.push_back(Vector(0.0) - way); // without a zero below zero
     }
     return free;
 }
