@@ -58,3 +58,8 @@ draw tile_fish --size 560x520 --groups --view 0,78
 draw tile_fish_layers --size 720x520 --groups --view 20,42
 draw tile_whale --size 560x520 --groups --view 0,78
 draw tile_whale_layers --size 640x500 --groups --view 50,40
+draw cell_carp --size 640x420 --groups --view 18,8
+draw cell_carp_skewed --size 640x420 --groups --view 18,8
+draw cell_carp_school --size 720x520 --groups --view 24,12
+draw cell_turtle --size 560x420 --groups --view 40,16
+draw cell_turtle_school --size 720x520 --groups --view 40,18

@@ -58,7 +58,7 @@ TEST_P(GalleryScript, MakesASoundModelThatThePageShows)
     fs::path picture = script;
     picture.replace_extension(".png");
     ASSERT_TRUE(fs::exists(picture));
-    EXPECT_LE(fs::file_size(picture), name.starts_with("tile") ? 250'000u : 100'000u); // reliefs have more to show
+    EXPECT_LE(fs::file_size(picture), name.starts_with("tile") || name.starts_with("cell") ? 250'000u : 100'000u); // reliefs have more to show
     const std::string page = text_of(fs::path(DRUSE_GALLERY) / "README.md");
     EXPECT_NE(page.find("(" + name + ".druse)"), std::string::npos);
     EXPECT_NE(page.find("![](" + name + ".png)"), std::string::npos);
@@ -161,6 +161,31 @@ TEST(Gallery, TilesFillSpaceAndAreAssembledInThreeLayers)
         // The joints take less than the smallest tile has.
         EXPECT_LT(volume(layers.scene().mesh), 3 * d.in_a_cell * d.cells * double(found["volume"]));
         EXPECT_GT(volume(layers.scene().mesh), 0.8 * 3 * d.in_a_cell * d.cells * double(found["volume"]));
+    }
+}
+
+TEST(Gallery, CellsFillSpaceAndAreAssembledWithTheirNeighbours)
+{
+    struct Design {
+        const char *name, *cell;
+        int neighbours;
+    };
+    for (const Design& d : {Design{"carp", "fcc", 12}, Design{"turtle", "bcc", 14}}) {
+        SCOPED_TRACE(d.name);
+        Document document(all_operators());
+        Progress progress;
+        document.open(fs::path(DRUSE_MODELS) / (std::string(d.name) + ".tile"), progress);
+        for (const char* skew : {"", "cell.skew entry=xy value=0.4"}) {
+            if (*skew != 0) document.apply(skew);
+            const auto found = nlohmann::json::parse(document.apply("cell.check strict=true").output);
+            EXPECT_EQ(found["faults"], nlohmann::json::array());
+            EXPECT_EQ(found["cell"], d.cell);
+            EXPECT_EQ(found["genus"], 0);
+            EXPECT_NEAR(double(found["volume"]), double(found["volume_expected"]), 1e-9 * double(found["volume"]));
+        }
+        Document school(all_operators());
+        school.open(fs::path(DRUSE_GALLERY) / ("cell_" + std::string(d.name) + "_school.druse"), progress);
+        EXPECT_EQ(facts(school.scene().mesh).component_genus, std::vector<std::int64_t>(std::size_t(1 + d.neighbours), 0));
     }
 }
 
