@@ -1,7 +1,10 @@
 #include "io/face_colours.h"
 
+#include "io/group_materials.h"
+
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <unordered_set>
 
 namespace druse {
@@ -117,6 +120,34 @@ void groups_from_vertex_colours(std::span<const Vertex> corners, std::span<const
     }
     int id = 0;
     for (const Colour c : numbers.colours()) groups.set_colour(++id, c);
+}
+
+void groups_from_materials(std::span<std::int32_t> faces, std::size_t count, const std::function<NamedColour(std::size_t)>& material, GroupTable& groups)
+{
+    std::vector<std::optional<NamedColour>> used(count);
+    std::vector<std::size_t> order; // as first met
+    for (const std::int32_t face : faces) {
+        const auto m = static_cast<std::size_t>(face);
+        if (m == 0 || used[m - 1]) continue;
+        used[m - 1] = material(m - 1);
+        order.push_back(m - 1);
+    }
+    std::vector<std::int32_t> group(count + 1, 0);
+    if (std::ranges::all_of(order, [&](std::size_t m) { return used[m]->group.has_value(); })) {
+        std::ranges::sort(order);
+        std::set<int> known;
+        for (const std::size_t m : order) {
+            const int id = *used[m]->group;
+            group[m + 1] = id;
+            if (known.insert(id).second) describe(id, {used[m]->colour, group_name_in(used[m]->name)}, groups); // the first of each group counts
+        }
+    } else {
+        ColourNumbers colours;
+        for (const std::size_t m : order) group[m + 1] = colours.number(used[m]->colour);
+        int id = 0;
+        for (const Colour c : colours.colours()) groups.set_colour(++id, c);
+    }
+    for (std::int32_t& face : faces) face = group[static_cast<std::size_t>(face)];
 }
 
 } // namespace druse

@@ -7,7 +7,9 @@
 #include "io/materials.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -78,5 +80,16 @@ private:
 /// @param corners the vertices of the faces, face after face; `ends` one past the last corner of each
 void groups_from_vertex_colours(std::span<const Vertex> corners, std::span<const std::uint32_t> ends,
                                 std::span<const Vector> colours, std::span<std::int32_t> faces, GroupTable& groups);
+
+/// What a material says of the faces that have it.
+struct NamedColour {
+    std::optional<int> group; // in its name, as our own writers give it
+    Colour colour;
+    std::string name; // of that group
+};
+
+/// Groups from materials. A face comes with 0 for none, or 1 + which of the `count` materials it has, and leaves with its group: that of its material, if
+/// all that are used say one; else those of one colour are a group, numbered as first met. Asks only for materials that are used.
+void groups_from_materials(std::span<std::int32_t> faces, std::size_t count, const std::function<NamedColour(std::size_t)>& material, GroupTable& groups);
 
 } // namespace druse

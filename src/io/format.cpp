@@ -8,6 +8,7 @@
 #include "io/pane_file.h"
 #include "io/ply.h"
 #include "io/stl.h"
+#include "io/threemf.h"
 #include "io/tile_file.h"
 
 #include <fmt/format.h>
@@ -26,6 +27,7 @@ constexpr Format all_formats[] = {
     {"off", "Object File Format", read_off, write_off},
     {"glb", "Binary glTF", read_gltf, write_glb},
     {"gltf", "glTF", read_gltf, write_gltf},
+    {"3mf", "3D Manufacturing Format", read_3mf, write_3mf},
     {"pane.json", "Pane", read_pane, write_pane},
     {"tile", "Escher tile", read_tile, write_tile},
     {"svg", "Drawing of a tiling", read_svg, write_svg},

@@ -8,7 +8,6 @@
 #include "io/glb_colour.h"
 #include "io/glb_file.h"
 #include "io/glb_library.h"
-#include "io/group_materials.h"
 #include "io/limits.h"
 #include "io/materials.h"
 #include "io/point_welder.h"
@@ -20,7 +19,6 @@
 #include <glm/mat4x4.hpp>
 
 #include <cmath>
-#include <map>
 
 namespace druse {
 
@@ -242,47 +240,15 @@ void GltfReader::read_primitive(const tinygltf::Primitive& primitive, const glm:
 
 void GltfReader::make_groups(Model& model)
 {
-    const std::span<std::int32_t> faces = builder_.groups();
-    std::vector<bool> used(gltf_.materials.size() + 1, false);
-    for (const std::int32_t material : faces) used[static_cast<std::size_t>(material)] = true;
-    const auto colour = [&](std::size_t material) {
-        const std::vector<double>& c = gltf_.materials[material - 1].pbrMetallicRoughness.baseColorFactor;
-        if (c.size() != 4) fail(fmt::format("material {}: a base colour of {} numbers; expected 4", material - 1, c.size()));
-        return colour_from_unit(srgb_from_linear(c[0]), srgb_from_linear(c[1]), srgb_from_linear(c[2]));
-    };
-    std::vector<std::int32_t> group(used.size(), 0);
-    bool named = true;
-    for (std::size_t m = 1; m < used.size(); ++m) {
-        if (!used[m]) continue;
-        const auto id = group_of_material(gltf_.materials[m - 1].name);
-        named = named && id;
-        group[m] = id.value_or(0);
-    }
-    if (named) {
-        std::map<int, std::size_t> material_of; // the first of each group
-        for (std::size_t m = 1; m < used.size(); ++m)
-            if (used[m]) material_of.try_emplace(group[m], m);
-        for (const auto& [id, m] : material_of) {
-            // Our own writer gives every group a colour; the one that it would have anyway is not its own.
-            if (const Colour c = colour(m); c != GroupTable::default_colour(id)) model.groups.set_colour(id, c);
-            const tinygltf::Value& extras = gltf_.materials[m - 1].extras;
-            if (!extras.IsObject() || !extras.Has("name") || !extras.Get("name").IsString()) continue;
-            if (std::string name = group_name_in(extras.Get("name").Get<std::string>()); !name.empty())
-                model.groups.set_name(id, std::move(name));
-        }
-    } else {
-        ColourNumbers colours;
-        std::vector<bool> met(used.size(), false);
-        for (const std::int32_t face : faces) {
-            const auto m = static_cast<std::size_t>(face);
-            if (m == 0 || met[m]) continue;
-            met[m] = true;
-            group[m] = colours.number(colour(m));
-        }
-        int id = 0;
-        for (const Colour c : colours.colours()) model.groups.set_colour(++id, c);
-    }
-    for (std::int32_t& face : faces) face = group[static_cast<std::size_t>(face)];
+    groups_from_materials(builder_.groups(), gltf_.materials.size(), [&](std::size_t m) {
+        const tinygltf::Material& material = gltf_.materials[m];
+        const std::vector<double>& c = material.pbrMetallicRoughness.baseColorFactor;
+        if (c.size() != 4) fail(fmt::format("material {}: a base colour of {} numbers; expected 4", m, c.size()));
+        NamedColour made{group_of_material(material.name), colour_from_unit(srgb_from_linear(c[0]), srgb_from_linear(c[1]), srgb_from_linear(c[2])), {}};
+        if (const tinygltf::Value& extras = material.extras; extras.IsObject() && extras.Has("name") && extras.Get("name").IsString())
+            made.name = extras.Get("name").Get<std::string>();
+        return made;
+    }, model.groups);
 }
 
 Model GltfReader::read()

@@ -69,7 +69,7 @@ bool FileCommands::save()
     // Some formats know triangles only: whoever opened such a file is asked where to keep the polygons.
     const std::filesystem::path& file = session_.file();
     const auto is = [&file](const char* extension) { return file.extension() == extension; };
-    if (file.empty() || is(".stl") || is(".glb") || is(".gltf")) return save_as();
+    if (file.empty() || is(".stl") || is(".glb") || is(".gltf") || is(".3mf")) return save_as();
     return save_to(file);
 }
 

@@ -271,11 +271,11 @@ TEST(MissingFiles, AreNamed)
     put_contents(folder / "a.xyz", "");
     put_contents(folder / "a", "");
     const std::string odd = (folder / "a.xyz").string(), plain = (folder / "a").string();
-    EXPECT_EQ(error_of([&] { read_model(odd); }), odd + ": unknown format 'xyz'; expected obj, stl, dlfl, ply, off, glb, gltf, pane.json, tile, svg or dxf");
+    EXPECT_EQ(error_of([&] { read_model(odd); }), odd + ": unknown format 'xyz'; expected obj, stl, dlfl, ply, off, glb, gltf, 3mf, pane.json, tile, svg or dxf");
     EXPECT_EQ(error_of([&] { read_model(plain); }),
-              plain + ": a name without a format; expected one that ends in obj, stl, dlfl, ply, off, glb, gltf, pane.json, tile, svg or dxf");
+              plain + ": a name without a format; expected one that ends in obj, stl, dlfl, ply, off, glb, gltf, 3mf, pane.json, tile, svg or dxf");
     EXPECT_EQ(error_of([&] { read_text("", "step"); }),
-              "test.step: unknown format 'step'; expected obj, stl, dlfl, ply, off, glb, gltf, pane.json, tile, svg or dxf");
+              "test.step: unknown format 'step'; expected obj, stl, dlfl, ply, off, glb, gltf, 3mf, pane.json, tile, svg or dxf");
 }
 
 TEST(Formats, AreKnownInEitherCase)

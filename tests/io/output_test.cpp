@@ -133,9 +133,9 @@ TEST(OutputSet, SaysWhyATargetWillNotDo)
     const std::string here = folder.path().string();
     EXPECT_EQ(error(folder / "d.obj"), here + "/d.obj: is a folder, not a file");
     EXPECT_EQ(error(folder / "gone/a.obj"), here + "/gone/a.obj: there is no folder '" + here + "/gone'");
-    EXPECT_EQ(error(folder / "a.xyz"), here + "/a.xyz: unknown format 'xyz'; expected obj, stl, dlfl, ply, off, glb, gltf, pane.json, tile, svg or dxf");
+    EXPECT_EQ(error(folder / "a.xyz"), here + "/a.xyz: unknown format 'xyz'; expected obj, stl, dlfl, ply, off, glb, gltf, 3mf, pane.json, tile, svg or dxf");
     EXPECT_EQ(error("-"), "standard output: needs --format");
-    EXPECT_EQ(error("-", {.format = "x"}), "standard output: unknown format 'x'; expected obj, stl, dlfl, ply, off, glb, gltf, pane.json, tile, svg or dxf");
+    EXPECT_EQ(error("-", {.format = "x"}), "standard output: unknown format 'x'; expected obj, stl, dlfl, ply, off, glb, gltf, 3mf, pane.json, tile, svg or dxf");
     EXPECT_EQ(error(folder / "a.xyz", {.format = "stl"}), "no error");
     EXPECT_EQ(error_of([&] {
                   OutputSet().write({Mesh(), GroupTable()}, folder / "a.obj");
