@@ -158,7 +158,7 @@ void FlatPainter::stroke(const Window& window, double radius, Colour colour, dou
 void FlatPainter::line(const Point2& from, const Point2& to, double width, Colour colour, double opacity)
 {
     if (!is_number(from) || !is_number(to)) return;
-    const double radius = width / 2, reach = std::max(radius, 0.5) + 1;
+    const double radius = width / 2, reach = std::max(radius, 0.5) + 0.5; // of its middle, to the centres of pixels that it covers in part
     const Point2 along = to - from;
     const double length2 = glm::dot(along, along);
     const double share = length2 > 0 ? 1 / length2 : 0;
@@ -167,22 +167,14 @@ void FlatPainter::line(const Point2& from, const Point2& to, double width, Colou
         const double t = std::clamp((off.x * along.x + off.y * along.y) * share, 0.0, 1.0), x = off.x - t * along.x, y = off.y - t * along.y;
         return std::sqrt(x * x + y * y);
     };
-    constexpr double short_line = 8; // pixels
+    // Row by row, only what is near it: the box of a slanting line is mostly empty.
     const Point2 low = glm::min(from, to) - reach, high = glm::max(from, to) + reach;
-    if (length2 < short_line * short_line) {
-        stroke({pixel(low.x), pixel(low.y), pixel(high.x) + 1, pixel(high.y) + 1}, radius, colour, opacity, distance);
-        return;
-    }
-    // Row by row, only what is near it: the box of a long slanting line is mostly empty.
-    const int top = std::max(0, pixel(low.y)), bottom = std::min(image_.height, pixel(high.y) + 1);
+    const bool slants = std::abs(along.y) > 1e-9;
+    const double lean = slants ? along.x / along.y : 0, across = slants ? reach * std::sqrt(length2) / std::abs(along.y) : high.x - low.x;
+    const int top = std::max(0, pixel(low.y + 0.5)), bottom = std::min(image_.height, pixel(high.y + 0.5));
     for (int y = top; y < bottom; ++y) {
-        double t0 = 0, t1 = 1;
-        if (std::abs(along.y) > 1e-9) {
-            const double a = (y - reach - from.y) / along.y, b = (y + 1 + reach - from.y) / along.y;
-            t0 = std::clamp(std::min(a, b), 0.0, 1.0), t1 = std::clamp(std::max(a, b), 0.0, 1.0);
-        }
-        const double a = from.x + t0 * along.x, b = from.x + t1 * along.x;
-        stroke({pixel(std::min(a, b) - reach), y, pixel(std::max(a, b) + reach) + 1, y + 1}, radius, colour, opacity, distance);
+        const double middle = from.x + lean * (y + 0.5 - from.y);
+        stroke({pixel(std::max(low.x, middle - across) + 0.5), y, pixel(std::min(high.x, middle + across) + 0.5), y + 1}, radius, colour, opacity, distance);
     }
 }
 
