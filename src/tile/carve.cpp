@@ -1,5 +1,6 @@
 #include "tile/carve.h"
 
+#include "dlfl/errors.h"
 #include "geom/predicates.h"
 #include "geom/segments.h"
 
@@ -123,8 +124,9 @@ private:
 
 class Carver {
 public:
-    Carver(const LayeredTile& tile, std::span<const Point2> polygon, const Isometry& carried)
-        : tile_(tile), cutter_(polygon), carried_(carried), weld_(tile.weld()), common_(tile.weld())
+    Carver(const LayeredTile& tile, std::span<const Point2> polygon, const Isometry& carried, double weld)
+        : tile_(tile), cutter_(polygon), carried_(carried), weld_(weld), common_(weld),
+          shared_(weld > tile.weld() ? tile.point_count() : tile.outline_count())
     {
         for (const Point2& p : polygon) points_.emplace_back(p, no_height);
     }
@@ -148,11 +150,11 @@ private:
         const HeightField& surface = tile_.surface();
         places_.clear();
         for (const Point& p : surface.points) places_.push_back(there(Point2(p)));
-        for (int i = 0; i < tile_.outline_count(); ++i) places_[static_cast<std::size_t>(i)] = common_.at(places_[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < shared_; ++i) places_[static_cast<std::size_t>(i)] = common_.at(places_[static_cast<std::size_t>(i)]);
         numbers_.assign(places_.size(), no_number);
         const auto number = [&](Number i) {
             if (numbers_[i] != no_number) return numbers_[i];
-            if (i >= static_cast<Number>(tile_.outline_count())) return numbers_[i] = add(places_[i], surface.points[i].z);
+            if (i >= static_cast<Number>(shared_)) return numbers_[i] = add(places_[i], surface.points[i].z);
             // Another copy may have brought it already.
             const auto [known, is_new] = brought_.try_emplace(std::pair(places_[i].x, places_[i].y), no_number);
             if (is_new) known->second = add(places_[i], surface.points[i].z);
@@ -166,6 +168,7 @@ private:
             std::array<Number, 3> v = t;
             if (turned_over) std::swap(v[1], v[2]);
             const Point2 &a = places_[v[0]], &b = places_[v[1]], &c = places_[v[2]];
+            if (a == b || b == c || c == a) continue;
             const bool near = cutter_.comes_near(a, b, c, 2 * weld_);
             if (!near && !cutter_.contains((a + b + c) / 3.0)) continue;
             (near ? near_ : result_.field.triangles).push_back({number(v[0]), number(v[1]), number(v[2])});
@@ -364,6 +367,7 @@ private:
         std::vector<std::uint8_t> wall(t.side_end(), open), face(t.side_end() / 4, open);
         std::vector<Number> waiting;
         const auto bar = [&](Number h, bool drop_left) {
+            ASSERT(h != no_number, "each piece of a side or a seam is an edge of the pane");
             wall[h] = barred;
             const Number twin = t.twin(h);
             if (twin != no_number) wall[twin] = barred;
@@ -429,6 +433,7 @@ private:
     const Isometry carried_;
     const double weld_;
     CommonPoints common_;
+    const int shared_; // the first so many points of a copy may be nearer than weld to others: of the outline, to those of other copies
     struct PairHash {
         std::size_t operator()(const std::pair<double, double>& p) const { return std::hash<double>()(p.first) * 31 + std::hash<double>()(p.second); }
     };
@@ -450,6 +455,11 @@ private:
 
 } // namespace
 
-Carving carve(const LayeredTile& tile, std::span<const Point2> cutter, const Isometry& carried) { return Carver(tile, cutter, carried).carve(); }
+Carving carve(const LayeredTile& tile, std::span<const Point2> cutter, const Isometry& carried) { return carve(tile, cutter, carried, tile.weld()); }
+
+Carving carve(const LayeredTile& tile, std::span<const Point2> cutter, const Isometry& carried, double weld)
+{
+    return Carver(tile, cutter, carried, std::max(weld, tile.weld())).carve();
+}
 
 } // namespace druse

@@ -20,8 +20,10 @@ struct Carving {
 /// Points of the relief within weld() of a corner or side of the cutter are moved there, and edges of it within weld() of a corner run through that; from then on exact signs decide, in a
 /// Pane of what lies along the cutter. What lies farther inside is taken as it is. Points that copies of the tile have in common are one point, with the same digits.
 /// Precondition: `cutter` is simple and anticlockwise; its corners are weld() apart.
+/// With a larger `weld`, that is meant instead of weld(), and points of the relief that are nearer to each other are one: no edge of the field is shorter.
 /// Cost: linear in the triangles that the cutter covers, with a large factor only for those along its sides.
 /// Source: Howison & Séquin 2009, section 2.2; here copies are found by their boxes instead of by a walk.
 Carving carve(const LayeredTile& tile, std::span<const Point2> cutter, const Isometry& carried);
+Carving carve(const LayeredTile& tile, std::span<const Point2> cutter, const Isometry& carried, double weld);
 
 } // namespace druse

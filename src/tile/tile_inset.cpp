@@ -74,9 +74,9 @@ public:
         flood();
     }
 
-    /// The boundary of the largest piece that is gone round once or more often and lies inside a polygon, `by` from its sides: sides that have passed each
-    /// other may go round a piece that does not.
-    Inset largest(std::span<const Point2> polygon, double by) const
+    /// The boundary of the largest piece that is gone round once or more often and lies inside a polygon, `by` from its sides as far as welding leaves them:
+    /// sides that have passed each other may go round a piece that does not.
+    Inset largest(std::span<const Point2> polygon, double by, double weld) const
     {
         const Triangulation& t = pane_.triangulation();
         std::vector<Index> piece(winding_.size(), Triangulation::none), waiting;
@@ -85,7 +85,7 @@ public:
         for (Index first = 0; first < t.side_end(); first += 4) {
             if (!t.is_face(first) || winding_[first / 4] < 1 || piece[first / 4] != Triangulation::none) continue;
             const Point2 middle = (t.position(t.origin(first)) + t.position(t.origin(first + 1)) + t.position(t.origin(first + 2))) / 3.0;
-            const bool counts = contains(polygon, middle) && nearest_side(polygon, middle).distance >= by * (1 - 1e-9);
+            const bool counts = contains(polygon, middle) && nearest_side(polygon, middle).distance >= by * (1 - 1e-9) - weld;
             double area = 0;
             waiting.assign(1, first);
             piece[first / 4] = first;
@@ -173,7 +173,7 @@ Inset inset(std::span<const Point2> polygon, double by, double weld)
     FlatBox box;
     for (const Point2& p : corners) box.add(p);
     if (std::max(box.max.x - box.min.x, box.max.y - box.min.y) < 8 * weld) return {};
-    return Windings(corners, weld).largest(polygon, by);
+    return Windings(corners, weld).largest(polygon, by, weld);
 }
 
 } // namespace druse

@@ -110,14 +110,15 @@ TileSolid make_solid(const LayeredTile& tile, TileBottom bottom, int aspect, dou
     const auto below = inverse(stack_motion(tile.design().stack) * tile.aspects()[aspect]);
     HeightField whole_bottom;
     if (clearance > 0) {
-        const auto [cutter, lost] = inset(tile.outline().positions(), 0.5 * clearance, tile.weld());
+        const double weld = joint_weld * tile.size();
+        const auto [cutter, lost] = inset(tile.outline().positions(), 0.5 * clearance, weld);
         solid.lost = lost;
         if (cutter.empty()) throw TileRefusal(TileRefusal::Reason::vanishes, fmt::format("clearance {} leaves nothing of the tile", clearance));
-        Carving top = carve(tile, cutter, {});
+        Carving top = carve(tile, cutter, {}, weld);
         solid.top = std::move(top.field);
         solid.top_rim = std::move(top.rim);
         const bool is_carved = bottom == TileBottom::carved;
-        Carving under = carve(tile, cutter, is_carved ? below : Isometry{});
+        Carving under = carve(tile, cutter, is_carved ? below : Isometry{}, weld);
         solid.bottom = std::move(under.field);
         solid.bottom_rim = std::move(under.rim);
         whole_bottom = is_carved ? carve(tile, tile.outline().positions(), below).field : tile.surface();

@@ -14,6 +14,10 @@ enum class TileBottom { carved, column, flat };
 /// Face groups of a solid.
 inline constexpr int top_group = 1, bottom_group = 2, wall_group = 3;
 
+/// Points of a solid with clearance are so far apart in the plane, in units of the size of the tile: nearer ones could be one in the 32 bits that STL has for a
+/// coordinate. Joints get narrower by four times as much at most, which check() does not mind.
+inline constexpr double joint_weld = 2.5e-7;
+
 /// A layered tile as a solid: two reliefs over one polygon, and a wall below each of its sides. In the tile frame, z from the layer's own plane.
 struct TileSolid {
     HeightField top, bottom;

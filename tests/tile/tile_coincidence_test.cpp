@@ -4,6 +4,7 @@
 #include "tile/carve.h"
 #include "tile/layered_facts.h"
 #include "tile/tile_check.h"
+#include "tile/tile_inset.h"
 #include "tile/tile_stack.h"
 
 #include <gtest/gtest.h>
@@ -209,6 +210,41 @@ TEST(TileClearance, IsKeptBetweenSteepPlacesNarrowerThanTheJoint)
     const TileCheck found = check(tile, 0.6);
     EXPECT_EQ(found.faults, std::vector<std::string>{});
     EXPECT_GE(found.solid->clearance, 0.6 - 1e-6 * 20);
+}
+
+TEST(TileClearance, LeavesNoEdgeShorterThanItsWeld)
+{
+    // Edges of the relief run from the corners of the outline inwards, so near to where those of the joint lie as points in files have digits.
+    struct Case {
+        int type;
+        TileStack stack;
+    };
+    using enum TileStack::Mode;
+    std::mt19937 random(5);
+    const auto uniform = [&](double from, double to) { return from + (to - from) * (double(random()) / 4294967296.0); };
+    for (const Case& c : {Case{1, {shift, {13.1, 7.3}, 0}}, Case{41, {shift, {20, 0}, 0}}, Case{79, {shift, {20, 20}, 0}}, Case{31, {mirror, {0, 0}, 0}}, Case{79, {free, {5, 3}, 0}}})
+        for (const double noise : {0.0, 1e-8, 1e-7, 1e-6, 1e-5}) {
+            LayeredTile tile = LayeredTile::of_type(c.type, 40);
+            for (const Point2& p : inset(tile.outline().positions(), 1, tile.weld()).polygon) tile.add_point(p + Point2(uniform(-noise, noise), uniform(-noise, noise)));
+            tile.extrude(6);
+            for (int i = 0; i < tile.point_count(); ++i) tile.set_heights(std::array{i}, uniform(-0.3, 0.3));
+            tile.set_stack(c.stack);
+            for (const double clearance : {0.2, 0.3, 0.4}) {
+                const TileSolid solid = make_solid(tile, TileBottom::carved, 0, clearance);
+                double shortest = 1e300;
+                for (const HeightField* field : {&solid.top, &solid.bottom})
+                    for (const auto& t : field->triangles)
+                        for (std::size_t i = 0; i < 3; ++i) shortest = std::min(shortest, glm::length(Point2(field->points[t[i]] - field->points[t[(i + 1) % 3]])));
+                EXPECT_GE(shortest, joint_weld * 40) << c.type << " " << noise << " " << clearance;
+                const Mesh mesh = mesh_of(solid);
+                EXPECT_SOUND(mesh);
+                EXPECT_EQ(mesh.boundary_count(), 0u);
+                EXPECT_EQ(int(mesh.vertex_count()) - int(mesh.edge_count()) + int(mesh.face_count()), 2);
+            }
+            if (noise == 1e-7) {
+                EXPECT_EQ(check(tile, 0.3).faults, std::vector<std::string>{}) << c.type;
+            }
+        }
 }
 
 TEST(TileAssemblyCheck, LetsATileLeaveUpwardsOnly)
