@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numbers>
 
 namespace druse {
@@ -36,6 +38,59 @@ std::vector<Point2> refitted(std::span<const PathPoint> whole, const IsohedralTy
         if (is_half_stored(type, path) && p.at.x == 0.5) break;
     }
     return kept;
+}
+
+/// Which points of the paths of one type are at the places of those of another, by their names on the first edge with that path.
+std::map<PointName, PointName> same_places(const IsohedralType& type, std::span<const std::vector<Point2>> paths, const IsohedralType& next,
+                                           std::span<const std::vector<Point2>> next_paths)
+{
+    constexpr double nearness = 1e-9; // of the length of an edge
+    std::map<PointName, PointName> names;
+    for (int path = 0; path < std::ssize(paths) && path < std::ssize(next_paths); ++path) {
+        const std::vector<PathPoint> there = whole_path(next, path, next_paths[static_cast<std::size_t>(path)]);
+        for (const PathPoint& p : whole_path(type, path, paths[static_cast<std::size_t>(path)]))
+            for (const PathPoint& q : there)
+                if (glm::length(p.at - q.at) <= nearness) names[{p.kind, path, p.index, -1}] = {q.kind, path, q.index, -1};
+    }
+    return names;
+}
+
+/// Heights of the points of a tile that have a place on another outline, and of those inside; an orbit there has that of the first of its points that has one. Says which
+/// orbits cannot keep theirs.
+std::map<PointName, double> heights_on(const TileOutline& outline, const IsohedralType& type, const LayeredTile& tile,
+                                       const std::function<std::optional<PointName>(const PointName&)>& renamed, std::vector<std::string>& notes)
+{
+    std::map<PointName, double> heights;
+    for (const auto& [name, height] : tile.design().heights)
+        if (const auto now = renamed(name); now && now->kind == PointName::Kind::interior) heights[*now] = height;
+    const auto orbit_of = [&](int i) { return tile.outline().points[i].orbit; };
+    std::vector<int> there(tile.outline_count(), -1); // the orbit that each point comes to be in
+    std::vector<double> height_there(outline.orbits);
+    for (int i = 0; i < tile.outline_count(); ++i) {
+        const auto now = renamed(tile.name(i));
+        if (!now) continue;
+        there[i] = outline.points[outline.find(type, *now)].orbit;
+        if (tile.height(i) != 0 && height_there[there[i]] == 0) heights[*now] = height_there[there[i]] = tile.height(i);
+    }
+    // It is enough that one point of an orbit keeps its height; without any, nothing is lost if that was 0.
+    std::vector<bool> met(tile.outline().orbits), kept(met), told(met);
+    for (int i = 0; i < tile.outline_count(); ++i) {
+        if (there[i] < 0) continue;
+        met[orbit_of(i)] = true;
+        if (height_there[there[i]] == tile.height(i)) kept[orbit_of(i)] = true;
+    }
+    constexpr int most_named = 5;
+    int lost = 0;
+    std::string names;
+    for (int i = 0; i < tile.outline_count(); ++i) {
+        const int orbit = orbit_of(i);
+        if (told[orbit] || kept[orbit] || (!met[orbit] && tile.height(i) == 0)) continue;
+        told[orbit] = true;
+        if (lost++ < most_named) names += (lost == 1 ? "" : ", ") + tile.name(i).text();
+    }
+    if (lost > most_named) names += fmt::format(" and {} more", lost - most_named);
+    if (lost > 0) notes.push_back(fmt::format("{} cannot stay as high as {} in {}: {}", lost == 1 ? "1 point" : fmt::format("{} points", lost), lost == 1 ? "it is" : "they are", type.name(), names));
+    return heights;
 }
 
 } // namespace
@@ -296,34 +351,31 @@ void LayeredTile::switch_type(int number)
     if (inside.size() < design.interior.size())
         notes.push_back(fmt::format("{} points are not inside {}, and go", design.interior.size() - inside.size(), type.name()));
     design.interior = std::move(inside);
-    // Heights of the outline go by name, where that still means one orbit.
-    std::map<PointName, double> heights;
-    std::vector<std::vector<PointName>> segments;
-    const auto renamed = [&](const PointName& name) -> std::optional<PointName> {
-        if (name.kind != PointName::Kind::interior) return name;
-        const auto now = kept[static_cast<std::size_t>(name.index)];
-        return now ? std::optional(PointName::interior(*now)) : std::nullopt;
-    };
     const TileOutline outline = make_outline(type, type.corners_of(design.parameters), design.size, design.paths);
-    std::vector<bool> told(static_cast<std::size_t>(outline.orbits));
-    for (const auto& [name, height] : design.heights) {
-        const auto now = renamed(name);
-        if (!now) continue;
-        if (now->kind != PointName::Kind::interior) {
-            const int i = outline.find(type, *now);
-            if (i < 0 || told[static_cast<std::size_t>(outline.points[i].orbit)]) continue;
-            told[static_cast<std::size_t>(outline.points[i].orbit)] = true;
+    const auto of_paths = same_places(*type_, design_.paths, type, design.paths);
+    const auto renamed = [&](const PointName& name) -> std::optional<PointName> {
+        if (name.kind == PointName::Kind::interior) {
+            const auto now = kept[static_cast<std::size_t>(name.index)];
+            return now ? std::optional(PointName::interior(*now)) : std::nullopt;
         }
-        heights[*now] = height;
-    }
+        PointName now = name;
+        if (name.is_of_path()) {
+            const auto found = of_paths.find({name.kind, name.path, name.index, -1});
+            if (found == of_paths.end()) return {};
+            now = found->second;
+            now.edge = name.edge;
+        }
+        return outline.find(type, now) >= 0 ? std::optional(now) : std::nullopt;
+    };
+    if (is_extruded()) design.heights = heights_on(outline, type, *this, renamed, notes);
+    std::vector<std::vector<PointName>> segments;
     for (const auto& chain : design.segments) {
         std::vector<PointName> rest;
         for (const PointName& name : chain)
-            if (const auto now = renamed(name); now && (now->kind == PointName::Kind::interior || outline.find(type, *now) >= 0)) rest.push_back(*now);
+            if (const auto now = renamed(name)) rest.push_back(*now);
         if (rest.size() == chain.size()) segments.push_back(std::move(rest));
     }
     if (segments.size() < design.segments.size()) notes.push_back(fmt::format("{} segments go with their points", design.segments.size() - segments.size()));
-    design.heights = std::move(heights);
     design.segments = std::move(segments);
     try {
         become(design);

@@ -120,6 +120,25 @@ TEST(TileInDocument, KeepsHeightsThroughEditsOfThePlane)
     EXPECT_EQ(tile_in(document).height(0), 0);
 }
 
+TEST(TileInDocument, KeepsHeightsOfTheSamePlacesInAnotherType)
+{
+    // An S edge becomes a J edge: its middle and its second half are points like others then.
+    Document document = with_tile({"tile.new type=IH79 size=20", "tile.edge path=1 points=0.25,0.1", "tile.extrude thickness=5", "tile.height points=v0 set=0.25", "tile.height points=m1 set=0.5",
+                                   "tile.height points=e1:1 set=0.75"});
+    const auto height = [&](const char* name) { return tile_in(document).height(tile_in(document).find(PointName::parse(name))); };
+    EXPECT_EQ(document.apply("tile.type type=IH41").notes, std::vector<std::string>{"1 point cannot stay as high as it is in IH41: v1"}) << "its corners are one orbit";
+    EXPECT_EQ(height("v0"), 0.25);
+    EXPECT_EQ(height("e1:1"), 0.75);
+    EXPECT_EQ(height("e1:2"), 0.5);
+    EXPECT_EQ(height("e1:3"), 0.75);
+
+    document.apply("tile.height points=e1:3 set=1");
+    EXPECT_EQ(document.apply("tile.type type=IH79").notes, std::vector<std::string>{"1 point cannot stay as high as it is in IH79: e1:3"});
+    EXPECT_EQ(height("v0"), 0.25);
+    EXPECT_EQ(height("e1:1"), 0.75);
+    EXPECT_EQ(height("m1"), 0.5);
+}
+
 std::string saved(const Document& document, const Folder& folder, const char* name)
 {
     OutputSet output;
