@@ -32,7 +32,7 @@ public:
         const IsohedralType& type = read_type(design);
         design.size = number_at(json_, "size", "size", {});
         if (!(design.size > 0)) fail("size", "expected above 0");
-        design.rotation = number_at(json_, "rotation", "rotation", 0.0);
+        design.rotation = turn_at(json_, "rotation", "rotation");
         if (json_.contains("origin")) design.origin = pair(json_["origin"], "origin");
         read_parameters(type, design);
         read_paths(type, design);
@@ -50,6 +50,14 @@ public:
     }
 
 private:
+    /// Degrees, as operators take them.
+    double turn_at(const TileJson& j, const char* key, const std::string& path) const
+    {
+        const double turn = number_at(j, key, path, 0.0);
+        if (!(std::abs(turn) <= 360)) fail(path, "expected -360 to 360 degrees");
+        return turn;
+    }
+
     const IsohedralType& read_type(TileDesign& design) const
     {
         const std::string name = text_at("type");
@@ -127,9 +135,14 @@ private:
         const auto found = std::ranges::find(modes, mode);
         if (found == modes.end()) fail("stack.mode", R"(expected "column", "shift", "mirror" or "free")");
         design.stack.mode = static_cast<TileStack::Mode>(found - modes.begin());
-        if (design.stack.mode == TileStack::Mode::column) return;
-        if (stack.contains("offset")) design.stack.offset = pair(stack["offset"], "stack.offset");
-        if (design.stack.mode == TileStack::Mode::mirror) design.stack.axis = number_at(stack, "axis", "stack.axis", 0.0);
+        // As tile.stack has it.
+        const auto unused = [&](const char* key) {
+            if (stack.contains(key)) fail(fmt::format("stack.{}", key), fmt::format("mode={} does not use it", mode));
+        };
+        if (design.stack.mode == TileStack::Mode::column) unused("offset");
+        else if (stack.contains("offset")) design.stack.offset = pair(stack["offset"], "stack.offset");
+        if (design.stack.mode == TileStack::Mode::mirror) design.stack.axis = turn_at(stack, "axis", "stack.axis");
+        else unused("axis");
     }
 
     /// How it is drawn stays in what is kept. The picture itself is not looked at: a tile whose picture is gone is a tile still.

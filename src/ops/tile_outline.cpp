@@ -3,6 +3,8 @@
 #include "ops/tile_parameters.h"
 #include "tile/tile_look.h"
 
+#include <fmt/format.h>
+
 #include <optional>
 
 namespace druse {
@@ -33,7 +35,7 @@ void run_tile_param(Scene& scene, const TileParam& p, Context& context)
         if (p.values) {
             values = *p.values;
         } else {
-            if (!p.value) throw CommandError("index= and value= are given together");
+            if (!p.value) throw CommandError(fmt::format("index={} is given without value=, what that parameter becomes", *p.index));
             if (*p.index >= std::ssize(values)) tile.type().corners_of(std::vector<double>(values.size() + 1)); // which says what there are
             values[static_cast<std::size_t>(*p.index)] = *p.value;
         }

@@ -13,6 +13,12 @@ namespace druse {
 
 namespace {
 
+/// `this stack has 4 solids, 0 to 3`; of one, `IH41 has 1 aspect, 0`.
+std::string numbered_from_0(int count, const std::string& whose, const std::string& what)
+{
+    return count == 1 ? fmt::format("{} 1 {}, 0", whose, what) : fmt::format("{} {} {}s, 0 to {}", whose, count, what, count - 1);
+}
+
 /// The sides of the outline, each as a chain of two points.
 std::vector<std::vector<std::uint32_t>> plain_rim(std::uint32_t count)
 {
@@ -81,7 +87,7 @@ int aspect_of_member(const LayeredTile& tile, int member)
 {
     const auto members = stack_members(tile.aspects(), tile.lattice(), tile.design().stack);
     const auto found = std::find(members.begin(), members.end(), member);
-    if (found == members.end()) throw CommandError(fmt::format("member={}: this stack has {} different solids, from 0 on", member, member_count(tile)));
+    if (found == members.end()) throw CommandError(fmt::format("member={}: {}", member, numbered_from_0(member_count(tile), "this stack has", "solid")));
     return static_cast<int>(found - members.begin());
 }
 
@@ -105,7 +111,8 @@ std::vector<TilePart> tile_parts(const LayeredTile& tile)
 TileSolid make_solid(const LayeredTile& tile, TileBottom bottom, int aspect, double clearance)
 {
     if (!tile.is_extruded()) throw TileRefusal(TileRefusal::Reason::phase, "a solid comes after tile.extrude");
-    if (aspect < 0 || aspect >= tile.type().aspects()) throw CommandError(fmt::format("aspect={}: {} has {} aspects, from 0 on", aspect, tile.type().name(), tile.type().aspects()));
+    if (aspect < 0 || aspect >= tile.type().aspects())
+        throw CommandError(fmt::format("aspect={}: {}", aspect, numbered_from_0(tile.type().aspects(), tile.type().name() + " has", "aspect")));
     TileSolid solid;
     const auto below = inverse(stack_motion(tile.design().stack) * tile.aspects()[aspect]);
     HeightField whole_bottom;

@@ -90,6 +90,7 @@ TEST(TileInDocument, RefusesWhatWouldFillNoSpaceAndStaysAsItWas)
                           Case{"IH79", "tile.height points=i0 set=1", "tile.height: phase"},
                           Case{"IH79", "tile.solid", "tile.solid: phase"},
                           Case{"IH41", "tile.param index=0 value=0", "tile.param: flat-corner"},
+                          Case{"IH41", "tile.param index=0", "tile.param: index=0 is given without value="},
                           Case{"IH79", "tile.edge_move point=m1 to=1,1", "tile.edge_move: fixed"},
                           Case{"IH79", "tile.point_move point=i3 to=1,1", "tile.point_move: no-such-point"}}) {
         Document document(all_operators());
@@ -137,6 +138,15 @@ TEST(TileInDocument, KeepsHeightsOfTheSamePlacesInAnotherType)
     EXPECT_EQ(height("v0"), 0.25);
     EXPECT_EQ(height("e1:1"), 0.75);
     EXPECT_EQ(height("m1"), 0.5);
+}
+
+TEST(TileSolid, SaysWhichOfItsSolidsThereAre)
+{
+    Document document = quad();
+    EXPECT_EQ(complaint(document, "tile.solid member=4"), "tile.solid: member=4: this stack has 1 solid, 0");
+    EXPECT_EQ(complaint(document, "tile.solid aspect=4"), "tile.solid: aspect=4: IH79 has 4 aspects, 0 to 3");
+    document.apply("tile.stack mode=free offset=5,5");
+    EXPECT_EQ(complaint(document, "tile.solid member=4"), "tile.solid: member=4: this stack has 4 solids, 0 to 3");
 }
 
 std::string saved(const Document& document, const Folder& folder, const char* name)
@@ -227,6 +237,10 @@ TEST(TileFile, SaysLineAndKeyOfWhatIsWrong)
                           Case{"[10, 4]", "[10, 400]", "11: interior: swallows-point"}, Case{"\"m1\"", "\"m7\"", "14: heights.m7: no-such-point"},
                           Case{"\"i0\"", "\"i9\"", "14: heights.i9: no-such-point"},
                           Case{"\"mode\": \"shift\"", "\"mode\": \"shaft\"", "15: stack.mode: "}, Case{"[10, 10]", "[5, 5]", "15: stack.offset: offset-not-isohedral"},
+                          Case{"\"rotation\": 0", "\"rotation\": 1000", "7: rotation: expected -360 to 360 degrees"},
+                          Case{"\"mode\": \"shift\"", "\"mode\": \"column\"", "15: stack.offset: mode=column does not use it"},
+                          Case{"[10, 10]", "[10, 10], \"axis\": 5", "15: stack.axis: mode=shift does not use it"},
+                          Case{"\"shift\", \"offset\": [10, 10]", "\"mirror\", \"axis\": 361", "15: stack.axis: expected -360 to 360 degrees"},
                           Case{"\"kind\": \"layered\",", "", "1: kind: is missing"}, Case{"\"params\": []", "\"params\": [1]", "9: params: IH79 has no parameters"}}) {
         std::string bad = good;
         ASSERT_NE(bad.find(c.from), std::string::npos) << c.from;
