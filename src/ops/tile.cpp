@@ -55,7 +55,7 @@ void run_tile_check(Scene& scene, const TileCheckParameters& p, Context& context
     json["cell"] = found.cell;
     json["edge_mismatch"] = found.edge_mismatch;
     json["solids"] = nlohmann::ordered_json::array();
-    for (const TilePart& part : found.parts) json["solids"].push_back({{"aspect", part.aspect}, {"member", part.member}, {"mirrored", part.mirrored}});
+    for (const TilePart& part : found.parts) json["solids"].push_back({{"aspect", part.aspect}, {"member", part.member}, {"layer", part.layer}, {"mirrored", part.mirrored}});
     if (const auto& solid = found.solid) {
         json["volume"] = solid->volume;
         json["volume_expected"] = solid->volume_expected;

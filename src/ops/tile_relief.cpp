@@ -2,6 +2,7 @@
 #include "ops/tile.h"
 #include "ops/tile_parameters.h"
 #include "tile/tile_assembly.h"
+#include "tile/tile_stack.h"
 
 #include <fmt/format.h>
 
@@ -45,7 +46,7 @@ struct TileBody {
 };
 
 struct TileSolidParameters : TileBody {
-    int aspect = 0, member = 0;
+    int aspect = 0, member = 0, layer = 0;
 };
 
 struct TileAssemble : TileBody {
@@ -78,7 +79,8 @@ void run_tile_solid(Scene& scene, const TileSolidParameters& p, Context& context
     if (p.bottom == TileBottom::flat) context.note("a flat bottom fills no space");
     if (solid.lost > 0) context.note(fmt::format("the clearance cuts {:.6g} mm² off the outline, which hang on it by less than a joint", solid.lost));
     MeshBuilder builder;
-    add_solid(builder, solid, {tile.to_world() * tile.aspects()[aspect], 0.0});
+    const Isometry& place = tile.aspects()[aspect];
+    add_solid(builder, solid, {tile.to_world() * (p.layer == 0 ? place : stack_motion(tile.design().stack) * place), p.layer * tile.thickness()});
     put_mesh(scene, builder);
 }
 
@@ -153,6 +155,7 @@ Operator tile_solid_operator()
     add_body(definition);
     return definition.param(&P::aspect, "aspect", Unit::count, {0, 11}, "which of the tiles of a cell; some are mirror images")
         .param(&P::member, "member", Unit::count, {0, 11}, "which of the different solids of a free stack")
+        .param(&P::layer, "layer", Unit::count, {0, 1}, "1: the tile above that one, its mirror image in a stack of mirrors")
         .example("tile.solid")
         .cites("Howison & Séquin 2009, section 2.2")
         .run(run_tile_solid);

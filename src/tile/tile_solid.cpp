@@ -95,15 +95,15 @@ std::vector<TilePart> tile_parts(const LayeredTile& tile)
 {
     const auto members = stack_members(tile.aspects(), tile.lattice(), tile.design().stack);
     std::vector<TilePart> parts;
-    const auto add = [&](int aspect, int member, const Isometry& place) {
+    const auto add = [&](int aspect, int member, int layer, const Isometry& place) {
         const bool mirrored = reflects(place);
         const bool known = std::ranges::any_of(parts, [&](const TilePart& p) { return p.member == member && p.mirrored == mirrored; });
-        if (!known) parts.push_back({aspect, member, mirrored, place});
+        if (!known) parts.push_back({aspect, member, layer, mirrored, place});
     };
     for (int layer = 0; layer < (tile.design().stack.mode == TileStack::Mode::mirror ? 2 : 1); ++layer)
         for (int a = 0; a < tile.type().aspects(); ++a) {
             const Isometry& aspect = tile.aspects()[static_cast<std::size_t>(a)];
-            add(a, members[static_cast<std::size_t>(a)], layer == 0 ? aspect : stack_motion(tile.design().stack) * aspect);
+            add(a, members[static_cast<std::size_t>(a)], layer, layer == 0 ? aspect : stack_motion(tile.design().stack) * aspect);
         }
     return parts;
 }

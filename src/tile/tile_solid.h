@@ -36,6 +36,7 @@ int member_count(const LayeredTile& tile);
 /// One of the different solids that a stack is built from.
 struct TilePart {
     int aspect = 0, member = 0; // with which make_solid() makes it
+    int layer = 0;              // 1: above one of those, in a stack of mirrors
     bool mirrored = false;      // the mirror image of the proto-tile, or of that member's other part
     Isometry place;             // of one tile that looks so, in the tile frame
 };

@@ -1,8 +1,9 @@
 #include "ui/tile_source.h"
 
-#include "tile/tile_stack.h"
+#include "tile/tile_solid.h"
 
-#include <set>
+#include <fmt/format.h>
+
 #include <utility>
 #include <variant>
 
@@ -56,14 +57,17 @@ ShownTile shown_tile(const LayeredTile* tile)
     return shown;
 }
 
-std::vector<int> different_solids(const LayeredTile& tile)
+std::vector<SolidFile> solid_files(const LayeredTile& tile, const std::string& command, const std::filesystem::path& file)
 {
-    const std::vector<int> members = stack_members(tile.aspects(), tile.lattice(), tile.design().stack);
-    std::set<std::pair<int, bool>> known;
-    std::vector<int> first;
-    for (int a = 0; a < tile.type().aspects(); ++a)
-        if (known.emplace(members[std::size_t(a)], reflects(tile.aspects()[std::size_t(a)])).second) first.push_back(a);
-    return first;
+    std::vector<SolidFile> files;
+    for (const TilePart& part : tile_parts(tile)) {
+        SolidFile next{command, file};
+        if (part.aspect > 0) next.command += fmt::format(" aspect={}", part.aspect);
+        if (part.layer > 0) next.command += fmt::format(" layer={}", part.layer);
+        if (!files.empty()) next.file.replace_filename(fmt::format("{}-{}{}", file.stem().string(), files.size() + 1, file.extension().string()));
+        files.push_back(std::move(next));
+    }
+    return files;
 }
 
 } // namespace druse::ui

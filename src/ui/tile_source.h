@@ -5,6 +5,8 @@
 #include "ops/scene.h"
 #include "tile/layered_tile.h"
 
+#include <filesystem>
+#include <string>
 #include <vector>
 
 namespace druse::ui {
@@ -15,7 +17,14 @@ const LayeredTile* layered_tile(const Scene& scene);
 /// What the editor shows of a tile; without a type if there is none. Cost: linear in its points.
 ShownTile shown_tile(const LayeredTile* tile);
 
-/// The aspects that stand for the different solids of its stack, mirror images counted apart: the first of each kind.
-std::vector<int> different_solids(const LayeredTile& tile);
+/// The command that makes one of the solids of a tile, and the file it goes to.
+struct SolidFile {
+    std::string command;
+    std::filesystem::path file;
+};
+
+/// Each different solid of its stack, mirror images counted apart, in a file of its own: the proto-tile in `file`, then those with -2, -3, … behind its name.
+/// @param command what makes the first one
+std::vector<SolidFile> solid_files(const LayeredTile& tile, const std::string& command, const std::filesystem::path& file);
 
 } // namespace druse::ui

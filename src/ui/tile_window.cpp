@@ -12,6 +12,7 @@
 
 #include "dlfl/errors.h"
 #include "render/png.h"
+#include "tile/tile_solid.h"
 
 #include <FL/Fl.H>
 #include <FL/Fl_Input_.H>
@@ -387,10 +388,10 @@ void TileWindow::export_tile()
     if (!has_tile()) return;
     const Scene* scene = session_.scene();
     if (!scene) return;
-    const std::vector<int> solids = different_solids(*layered_tile(*scene));
-    const auto asked = ask_how_to_export(facts(), solids.size());
+    const LayeredTile tile = *layered_tile(*scene); // as it is now: what is exported runs commands
+    const auto asked = ask_how_to_export(facts(), tile_parts(tile).size());
     if (!asked) return;
-    if (asked->to_files) export_solids(asked->command, solids);
+    if (asked->to_files) export_solids(tile, asked->command);
     else if (make_solid(asked->command)) hand_over();
 }
 
@@ -405,21 +406,20 @@ bool TileWindow::make_solid(const std::string& command)
     return session_.display().done != before;
 }
 
-/// Each one in a file of its own, by the aspect that it stands for.
-void TileWindow::export_solids(const std::string& command, const std::vector<int>& aspects)
+/// Each one in a file of its own.
+void TileWindow::export_solids(const LayeredTile& tile, const std::string& command)
 {
     std::filesystem::path proposal = session_.file().empty() ? session_.folder() / "tile" : session_.file();
     const auto file = ask_where_to_save("Export", proposal.replace_extension(".stl"));
     if (!file) return;
-    for (std::size_t k = 0; k < aspects.size(); ++k) {
-        if (!make_solid(k == 0 ? command : fmt::format("{} aspect={}", command, aspects[k]))) return;
-        std::filesystem::path name = *file;
-        if (k > 0) name.replace_filename(fmt::format("{}-{}{}", file->stem().string(), k + 1, file->extension().string()));
-        session_.export_to(name);
+    const std::vector<SolidFile> solids = solid_files(tile, command, *file);
+    for (const SolidFile& solid : solids) {
+        if (!make_solid(solid.command)) return;
+        session_.export_to(solid.file);
         session_.wait();
         if (session_.message().kind == Message::Kind::error) return;
     }
-    if (aspects.size() > 1) session_.say(Message::Kind::note, fmt::format("exported {} and {} more", file->filename().string(), aspects.size() - 1)), refresh();
+    if (solids.size() > 1) session_.say(Message::Kind::note, fmt::format("exported {} and {} more", file->filename().string(), solids.size() - 1)), refresh();
 }
 
 void TileWindow::hand_over()

@@ -83,7 +83,7 @@ private:
     void export_tile();
     bool has_tile();
     bool make_solid(const std::string& command);
-    void export_solids(const std::string& command, const std::vector<int>& aspects);
+    void export_solids(const LayeredTile& tile, const std::string& command);
     void escape();
     void close();
 

@@ -1,5 +1,8 @@
+#include "dlfl/measures.h"
+#include "support/folder.h"
 #include "ui/layout.h"
 #include "ui/plane_view.h"
+#include "ui/relief_picture.h"
 #include "ui/tile_offset.h"
 #include "ui/tile_source.h"
 #include "ui/tile_view.h"
@@ -13,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 namespace druse::ui {
@@ -194,16 +198,62 @@ TEST(TileOffset, BringsPointsOverEdgesInsideTheTileBelow)
     EXPECT_LT(glm::distance(over.at, wanted), 0.2);
 }
 
-TEST(DifferentSolids, AreOneForEachMirrorImageAndEachMemberOfAFreeStack)
+TEST(SolidFiles, AreOneForEachMirrorImageAndEachMemberOfAFreeStack)
 {
+    const auto count = [](const LayeredTile& tile) { return solid_files(tile, "tile.solid", "tile.stl").size(); };
     LayeredTile turned = LayeredTile::of_type(79, 20), mirrored = LayeredTile::of_type(2, 20);
-    EXPECT_EQ(different_solids(turned), std::vector<int>{0}) << "quarter turns bring all four together";
-    EXPECT_EQ(different_solids(mirrored).size(), 2u) << "left and right";
+    EXPECT_EQ(count(turned), 1u) << "quarter turns bring all four together";
+    EXPECT_EQ(count(mirrored), 2u) << "left and right";
     turned.add_point({8, 5});
     turned.set_stack({TileStack::Mode::free, Point2(10, 0), 0});
-    EXPECT_EQ(different_solids(turned).size(), 2u) << "half a leg along: the reference has two solids";
+    EXPECT_EQ(count(turned), 2u) << "half a leg along: the reference has two solids";
     turned.set_stack({TileStack::Mode::free, Point2(5, 5), 0});
-    EXPECT_EQ(different_solids(turned).size(), 4u);
+    EXPECT_EQ(count(turned), 4u);
+}
+
+TEST(SolidFiles, HoldTheMirrorImageOfAStackOfMirrors)
+{
+    const test::Folder folder;
+    Session session(all_operators());
+    for (const char* command : {"tile.new type=IH79 size=20", "tile.point_add at=10,4", "tile.stack mode=mirror", "tile.extrude thickness=5", "tile.height points=i0 set=2"}) session.run(command), session.wait();
+    const std::vector<SolidFile> files = solid_files(*layered_tile(*session.scene()), "tile.solid clearance=0.2", folder.path() / "a.obj");
+    ASSERT_EQ(files.size(), 2u);
+    EXPECT_EQ(files[1].command, "tile.solid clearance=0.2 layer=1");
+    EXPECT_EQ(files[1].file.filename(), "a-2.obj");
+    std::vector<Point> places[2];
+    for (int k = 0; k < 2; ++k) {
+        session.run(files[std::size_t(k)].command);
+        session.wait();
+        session.export_to(files[std::size_t(k)].file);
+        session.wait();
+        EXPECT_TRUE(std::filesystem::exists(files[std::size_t(k)].file));
+        const Mesh& mesh = session.scene()->mesh;
+        EXPECT_GT(volume(mesh), 400) << "outside out, on both sides of the mirror";
+        for (const Vertex v : mesh.vertices()) places[k].push_back(mesh.position(v));
+    }
+    ASSERT_EQ(places[0].size(), places[1].size());
+    for (std::size_t i = 0; i < places[0].size(); ++i) {
+        const Point& p = places[0][i];
+        EXPECT_LT(glm::distance(places[1][i], Point(p.x, -p.y, p.z + 5)), 1e-9) << "mirrored in the x axis, a layer up";
+    }
+}
+
+TEST(ReliefPicture, ShowsTheTilesAroundItAsLargeAsTheSliderSays)
+{
+    LayeredTile tile = LayeredTile::of_type(41, 10);
+    tile.extrude(4);
+    const auto box_of = [&](double neighbours) {
+        ReliefPicture picture;
+        picture.neighbours = neighbours;
+        picture.follow(&tile);
+        Box box;
+        for (std::uint32_t v = 0; v < picture.lists.vertex_limit(); ++v) box.add(picture.lists.position(v));
+        return box;
+    };
+    // Squares of side 10 on all sides, and one above and below: 30 wide where they touch. At half the size each is 5 wide about its own middle.
+    EXPECT_EQ(box_of(0).size(), Vector(10, 10, 4));
+    EXPECT_EQ(box_of(1).size(), Vector(30, 30, 12));
+    EXPECT_EQ(box_of(0.5).size(), Vector(25, 25, 10));
 }
 
 class TilePlane : public testing::Test {
