@@ -115,6 +115,7 @@ double least_distance(const CellTile& tile, const CellSolid& solid, double reach
     const auto count = static_cast<std::uint32_t>(solid.triangles.size());
     double least = reach;
     for (const LatticeStep& step : cells_near(tile, solid, reach)) {
+        progress.step(0);
         if (step < LatticeStep{}) continue; // the cell the other way is as far
         const Vector shift = tile.world(tile.cell().at(step));
         std::vector<Box> boxes;

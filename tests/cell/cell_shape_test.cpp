@@ -237,6 +237,16 @@ TEST(CellClearance, LeavesJointsOfItsWidth)
     EXPECT_THROW(make_solid(CellTile::of_kind(CellKind::cube, 10), 11, CellJoint::shrink), CellRefusal);
 }
 
+TEST(CellCheck, StopsWhenItIsCancelled)
+{
+    const CellTile cube = CellTile::of_kind(CellKind::cube, 10);
+    Progress progress;
+    progress.cancel();
+    EXPECT_THROW(check(cube, {}, progress), Cancelled);
+    EXPECT_THROW(free_directions(cube, make_solid(cube), progress), Cancelled);
+    EXPECT_THROW(least_distance(cube, make_solid(cube), 1, progress), Cancelled);
+}
+
 TEST(CellFreedom, IsThatOfABlockWhosePanesAreFlat)
 {
     Progress progress;

@@ -113,6 +113,11 @@ std::vector<Original> originals()
         {"off_with_everything", "off",
          "STCNOFF # all\n3 2 3\n0 0 0 0 0 1 1 0 0 9 9\n1 0 0 0 0 1 1 0 0 9 9\n0 1 0 0 0 1 1 0 0.5 9 9\n3 0 1 2 1 0 0 1\n3 2 1 0 "
          "7\n"},
+        {"tile_of_a_cell", "tile",
+         "{\"format\":\"druse-tile\",\"version\":1,\"kind\":\"cell\",\"cell\":\"cube\",\"size\":40,\"matrix\":[1,0.3,0,0,1,0,0,0,1],\n\"panes\":[{\"points\":[[2,3],[-3,1]],"
+         "\"segments\":[[\"v0\",\"i0\"]]},{},{\"points\":[[0,2],[3,-2]]}],\n\"edges\":[[0.5],[],[0.25]],\"phase\":2,\"shape\":{\"moved\":{\"c0\":[1,0,-2],\"x0:1\":[1,0,2],\"s1\":[0.5,0.5,0]},\n"
+         "\"splits\":[{\"pane\":0,\"triangle\":2,\"at\":[0.2,0.3,0.5]},{\"pane\":0,\"edge\":[\"v0\",\"i0\"],\"t\":0.5},{\"pane\":0,\"flip\":[\"v2\",\"i1\"]}],"
+         "\"flat\":[{\"pane\":2,\"keep\":true,\"new\":[\"i1\"]}]}}\n"},
     };
 }
 INSTANTIATE_TEST_SUITE_P(Files, EveryMutation, testing::ValuesIn(originals()), shape_name<testing::TestParamInfo<Original>>);
