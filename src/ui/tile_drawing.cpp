@@ -1,6 +1,6 @@
 #include "ui/tile_drawing.h"
 
-#include "render/flat_painter.h"
+#include "ui/plane_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -11,57 +11,10 @@ namespace druse::ui {
 
 namespace {
 
-struct PlaneColours {
-    Colour background, grid, axis;
-    std::array<Colour, 3> neighbours; // by their colour in the tiling
-    Colour neighbour_line, tile, line, triangle, segment;
-    Colour handle, handle_line, interior, selected, together, centre, arrow, error, ghost;
-};
-
-constexpr PlaneColours dark_plane{.background = {0x20, 0x22, 0x26},
-                                  .grid = {0x2b, 0x2e, 0x33},
-                                  .axis = {0x3c, 0x40, 0x47},
-                                  .neighbours = {{{0x3f, 0x43, 0x4a}, {0x4a, 0x4f, 0x57}, {0x35, 0x39, 0x3f}}},
-                                  .neighbour_line = {0x6c, 0x72, 0x7c},
-                                  .tile = {0xd9, 0x8e, 0x4a},
-                                  .line = {0xf4, 0xee, 0xe6},
-                                  .triangle = {0x6e, 0x42, 0x1a},
-                                  .segment = {0x2a, 0x17, 0x06},
-                                  .handle = {0xff, 0xff, 0xff},
-                                  .handle_line = {0x1c, 0x1d, 0x20},
-                                  .interior = {0x2a, 0x17, 0x06},
-                                  .selected = {0x2b, 0x73, 0xff},
-                                  .together = {0x7d, 0xe0, 0xff},
-                                  .centre = {0xff, 0xe0, 0x66},
-                                  .arrow = {0x8f, 0xc7, 0xff},
-                                  .error = {0xff, 0x3b, 0x41},
-                                  .ghost = {0x5c, 0xc8, 0xff}};
-
-constexpr PlaneColours light_plane{.background = {0xf4, 0xf5, 0xf7},
-                                   .grid = {0xe4, 0xe7, 0xea},
-                                   .axis = {0xc9, 0xce, 0xd4},
-                                   .neighbours = {{{0xd6, 0xda, 0xdf}, {0xe3, 0xe6, 0xea}, {0xc8, 0xcd, 0xd4}}},
-                                   .neighbour_line = {0x8d, 0x94, 0x9d},
-                                   .tile = {0xe2, 0xa2, 0x67},
-                                   .line = {0x2a, 0x24, 0x20},
-                                   .triangle = {0x9c, 0x68, 0x38},
-                                   .segment = {0x2a, 0x17, 0x06},
-                                   .handle = {0xff, 0xff, 0xff},
-                                   .handle_line = {0x1c, 0x1d, 0x20},
-                                   .interior = {0x2a, 0x17, 0x06},
-                                   .selected = {0x2b, 0x73, 0xff},
-                                   .together = {0x00, 0x8a, 0xb8},
-                                   .centre = {0xb8, 0x86, 0x00},
-                                   .arrow = {0x1f, 0x62, 0xa8},
-                                   .error = {0xd0, 0x1f, 0x26},
-                                   .ghost = {0x00, 0x7a, 0xb8}};
-
-/// What one picture is drawn with.
-class PlanePicture {
+class TilePicture : private PlanePicture {
 public:
-    PlanePicture(const TileView& view, bool dark, double scale, Image& image)
-        : view_(view), tile_(view.tile()), plane_(view.plane()), colours_(dark ? dark_plane : light_plane), scale_(scale), painter_(image),
-          outline_(view.tile().outline_points())
+    TilePicture(const TileView& view, bool dark, double scale, Image& image)
+        : PlanePicture(view, dark, scale, image), view_(view), tile_(view.tile()), outline_(view.tile().outline_points())
     {
         if (outline_.empty()) return;
         middle_ = 0.5 * (tile_.low() + tile_.high());
@@ -91,31 +44,15 @@ public:
         if (view_.hovered()) draw_hovered(*view_.hovered());
         if (view_.offset()) draw_ghost(*view_.offset());
         if (view_.refused()) draw_refused();
-        if (const auto line = view_.rubber()) painter_.line(at(line->first), at(line->second), 2 * scale_, colours_.ghost);
-        if (const auto& line = view_.refused_line()) painter_.line(at(line->first), at(line->second), 2.5 * scale_, colours_.error);
-        if (const auto box = view_.box()) draw_box(box->first, box->second);
+        draw_gestures();
     }
 
 private:
-    Point2 at(const Point2& p) const { return plane_.picture(p); }
-
     std::vector<Point2> placed(const Isometry& map) const
     {
         std::vector<Point2> points(outline_.size());
         for (std::size_t i = 0; i < points.size(); ++i) points[i] = at(map(outline_[i]));
         return points;
-    }
-
-    void draw_grid()
-    {
-        const double step = view_.grid();
-        const Point2 low = plane_.plane(Point2(0, plane_.height)), high = plane_.plane(Point2(plane_.width, 0));
-        for (const int axis : {0, 1})
-            for (double k = std::ceil(low[axis] / step); k * step <= high[axis]; ++k) {
-                Point2 a = low, b = high;
-                a[axis] = b[axis] = k * step;
-                painter_.line(at(a), at(b), 1, k == 0 ? colours_.axis : colours_.grid, k == 0 ? 0.8 : 0.45);
-            }
     }
 
     void draw_traced(const TileTrace& trace, const Image& picture)
@@ -177,10 +114,10 @@ private:
                     const bool on_outline = a < tile_.outline && b == (a + 1) % tile_.outline;
                     // Each inner edge has two triangles: drawn once.
                     if (a < b && !on_outline && !(b < tile_.outline && a == (b + 1) % tile_.outline))
-                        painter_.line(at(tile_.points[std::size_t(a)].at), at(tile_.points[std::size_t(b)].at), scale_, colours_.triangle, 0.65);
+                        draw_triangle_edge(tile_.points[std::size_t(a)].at, tile_.points[std::size_t(b)].at, colours_.triangle);
                 }
         for (const auto& s : tile_.segments)
-            painter_.line(at(tile_.points[std::size_t(s[0])].at), at(tile_.points[std::size_t(s[1])].at), 2.2 * scale_, colours_.segment);
+            draw_constraint(tile_.points[std::size_t(s[0])].at, tile_.points[std::size_t(s[1])].at);
         painter_.lines(points, true, 2.2 * scale_, colours_.line);
     }
 
@@ -260,14 +197,13 @@ private:
         for (const TilePoint& p : tile_.points) {
             const bool here = is_selected(p), together = !here && p.orbit >= 0 && orbit_selected[std::size_t(p.orbit)] != 0;
             if (!room && !here && !together && p.kind != TilePoint::Kind::corner) continue;
-            const Point2 c = at(p.at);
-            const double r = (p.kind == TilePoint::Kind::corner ? 5 : p.kind == TilePoint::Kind::middle ? 3 : 4) * scale_;
-            const bool hollow = p.kind == TilePoint::Kind::interior;
-            if (here || together) painter_.disc(c, r + 3.5 * scale_, here ? colours_.selected : colours_.together);
-            painter_.disc(c, r + 1.2 * scale_, colours_.handle_line);
-            painter_.disc(c, r, hollow ? colours_.interior : colours_.handle);
-            if (hollow) painter_.ring(c, r - 0.5 * scale_, 1.4 * scale_, colours_.handle);
-            if (p.kind == TilePoint::Kind::corner) painter_.disc(c, r - 2 * scale_, colours_.handle_line);
+            const HandleMark mark = here ? HandleMark::selected : together ? HandleMark::together : HandleMark::none;
+            switch (p.kind) {
+            case TilePoint::Kind::corner: draw_corner_handle(p.at, mark, colours_.handle); break;
+            case TilePoint::Kind::interior: draw_inner_handle(p.at, mark); break;
+            case TilePoint::Kind::middle: draw_handle(p.at, 3, mark, colours_.handle); break;
+            case TilePoint::Kind::path: draw_handle(p.at, 4, mark, colours_.handle); break;
+            }
         }
     }
 
@@ -275,7 +211,7 @@ private:
     {
         const Isometry& map = hit.copy < tile_.copies.size() ? tile_.copies[hit.copy].map : tile_.copies[0].map;
         if (hit.point >= 0) {
-            painter_.ring(at(map(tile_.points[std::size_t(hit.point)].at)), 8 * scale_, 2 * scale_, colours_.selected);
+            draw_ring(map(tile_.points[std::size_t(hit.point)].at));
         } else if (hit.edge >= 0) {
             const Point2 a = at(map(tile_.points[std::size_t(hit.edge)].at)), b = at(map(tile_.points[std::size_t((hit.edge + 1) % tile_.outline)].at));
             painter_.line(a, b, 3.5 * scale_, colours_.selected);
@@ -294,21 +230,13 @@ private:
         draw_arrow(at(outline_[0]), at(outline_[0] + offset));
     }
 
-    void draw_box(const Point2& a, const Point2& c)
-    {
-        const std::array corners{a, Point2(c.x, a.y), c, Point2(a.x, c.y)};
-        painter_.fill(corners, colours_.selected, 0.15);
-        painter_.lines(corners, true, 1.5 * scale_, colours_.selected);
-    }
-
     /// The edges that the point would have where it may not go.
     void draw_refused()
     {
         const auto& [copy, point, wanted] = *view_.refused();
         if (copy >= tile_.copies.size() || std::size_t(point) >= tile_.points.size()) return;
         const Isometry& map = tile_.copies[copy].map;
-        const Point2 to = at(map(wanted));
-        const auto red_line = [&](int other) { painter_.line(to, at(map(tile_.points[std::size_t(other)].at)), 2.5 * scale_, colours_.error); };
+        const auto red_line = [&](int other) { draw_red_line(map(wanted), map(tile_.points[std::size_t(other)].at)); };
         if (point < tile_.outline) {
             red_line((point + 1) % tile_.outline);
             red_line((point + tile_.outline - 1) % tile_.outline);
@@ -316,15 +244,11 @@ private:
             for (const auto& s : tile_.segments)
                 if (s[0] == point || s[1] == point) red_line(s[0] == point ? s[1] : s[0]);
         }
-        painter_.ring(to, 7 * scale_, 2.5 * scale_, colours_.error);
+        draw_red_ring(map(wanted));
     }
 
     const TileView& view_;
     const ShownTile& tile_;
-    const PlaneView& plane_;
-    const PlaneColours& colours_;
-    double scale_;
-    FlatPainter painter_;
     std::vector<Point2> outline_; // in the tile's frame
     Point2 middle_{0.0};
     double reach_ = 0; // from there to the farthest of its points
@@ -336,12 +260,12 @@ void TileDrawing::draw(const TileView& view, bool dark, double scale, Image& ima
 {
     if (backdrop_.width != image.width || backdrop_.height != image.height || version_ != view.backdrop() || dark_ != dark) {
         backdrop_ = Image(image.width, image.height);
-        PlanePicture(view, dark, scale, backdrop_).draw_backdrop();
+        TilePicture(view, dark, scale, backdrop_).draw_backdrop();
         version_ = view.backdrop();
         dark_ = dark;
     }
     image.pixels = backdrop_.pixels;
-    PlanePicture(view, dark, scale, image).draw_foreground();
+    TilePicture(view, dark, scale, image).draw_foreground();
 }
 
 } // namespace druse::ui

@@ -14,18 +14,6 @@
 
 namespace druse::ui {
 
-namespace {
-
-/// The foot of the perpendicular, or the end that is nearer.
-Point2 foot_on_piece(const Point2& p, const Point2& a, const Point2& b)
-{
-    const Point2 along = b - a;
-    const double length2 = glm::dot(along, along);
-    return a + (length2 > 0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0.0) * along;
-}
-
-} // namespace
-
 void TileView::add_point(const TileHit& at)
 {
     if (at.edge >= tile_.outline) return; // the tile is another by now
@@ -89,24 +77,13 @@ void TileView::drag_trace(const Point2& picture)
     step_->send(fmt::format("tile.trace place={}", fmt::join(place, ",")));
 }
 
-void TileView::start_constraint()
-{
-    if (gesture_ != Gesture::none || tool_ != Tool::edit) return;
-    box_next_ = false;
-    constrain_next_ = true;
-    redraw();
-}
-
 void TileView::end_constraint(const Point2& picture)
 {
-    constrain_next_ = false;
     const int to = point_near(plane_.plane(picture), grabbed_.copy);
     if (to < 0 || to == grabbed_.point) return;
     const Isometry map = tile_.copies[grabbed_.copy].map;
     const Line line(map(grabbed_point_.at), map(tile_.points[std::size_t(to)].at));
-    session_.run(fmt::format("tile.constrain from={} to={}", grabbed_point_.name, tile_.points[std::size_t(to)].name));
-    session_.wait();
-    if (session_.message().kind == Message::Kind::error && !session_.message().text.empty()) refused_line_ = line;
+    draw_line(fmt::format("tile.constrain from={} to={}", grabbed_point_.name, tile_.points[std::size_t(to)].name), line);
 }
 
 void TileView::remove()

@@ -39,7 +39,8 @@ double now_in_seconds() { return std::chrono::duration<double>(std::chrono::stea
 
 TileWindow::TileWindow(const Registry& registry, Preferences& preferences, bool test, int w, int h)
     : EditorWindow(w, h, "Tile editor"), preferences_(preferences), test_(test), session_(registry), files_(session_), plane_(session_), space_(session_),
-      pictures_([this](const Mesh& solid, int size) { return viewport_.picture_of(solid, size); }), canvas_(plane_, 0, 0, 10, 10),
+      pictures_([this](const Mesh& solid, int size) { return viewport_.picture_of(solid, size); }), canvas_(
+          plane_, [this](bool dark, double scale, Image& image) { drawing_.draw(plane_, dark, scale, image); }, 0, 0, 10, 10),
       viewport_(session_, space_, 0, 0, 10, 10), neighbours_label_(0, 0, 1, 1, "neighbours"), neighbours_(0, 0, 1, 1), history_(session_, 0, 0, 1, 1), history_section_("History", history_), operator_choice_(0, 0, 1, 1),
       parameters_(session_, pictures_, 0, 0, 1, 1), history_divider_(true), status_(session_, 0, 0, 1, 1), show_progress_([this] {
           status_.update_progress();

@@ -6,6 +6,7 @@
 #include "ui/history_panel.h"
 #include "ui/parameter_panel.h"
 #include "ui/pictures.h"
+#include "ui/plane_canvas.h"
 #include "ui/preferences.h"
 #include "ui/relief_picture.h"
 #include "ui/section.h"
@@ -13,7 +14,7 @@
 #include "ui/slider.h"
 #include "ui/status_bar.h"
 #include "ui/tile_bar.h"
-#include "ui/tile_canvas.h"
+#include "ui/tile_drawing.h"
 #include "ui/tile_view.h"
 #include "ui/timer.h"
 #include "ui/view.h"
@@ -49,7 +50,7 @@ public:
     Session& session() override { return session_; }
     TileView& plane() { return plane_; }
     View& space() { return space_; }
-    const TileCanvas& canvas() const { return canvas_; }
+    const PlaneCanvas& canvas() const { return canvas_; }
     const Viewport& viewport() const { return viewport_; }
 
     void open(const std::filesystem::path& file) override;
@@ -102,7 +103,8 @@ private:
     Registry no_operators_; // the menu has those of tiles as its own entries
     Pictures pictures_;
     TileBar bar_;
-    TileCanvas canvas_;
+    TileDrawing drawing_; // of the plane
+    PlaneCanvas canvas_;
     Viewport viewport_;
     Fl_Box neighbours_label_;
     Slider neighbours_; // in space, how large
