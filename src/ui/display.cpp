@@ -26,6 +26,11 @@ Counts shown_counts(const Scene& scene)
         const std::size_t points = tile->surface().points.size(), triangles = tile->surface().triangles.size();
         return lines(points, points + triangles - 1); // of a disk
     }
+    if (const CellTile* cell = std::get_if<CellTile>(&*scene.source)) {
+        std::size_t triangles = 0; // of one of each pair of panes
+        for (int pane = 0; pane < cell->pane_count(); ++pane) triangles += cell->mesh(pane).triangles.size();
+        return lines(triangles + 2, 3 * triangles); // of a sphere
+    }
     const Graph& graph = std::get<Graph>(*scene.source);
     return lines(graph.vertices.size(), graph.edges.size());
 }
