@@ -16,7 +16,6 @@ namespace druse::ui {
 
 namespace {
 
-constexpr double turn_seconds = 0.2;
 constexpr double zoom_per_notch = 1.15;
 
 std::string text_of(const std::optional<Target>& target)
@@ -47,6 +46,10 @@ View::View(Session& session) : session_(session), smooth_(session), crust_(sessi
 
 void View::redraw()
 {
+    if (on_camera && camera_ != told_) {
+        told_ = camera_;
+        on_camera();
+    }
     if (on_redraw) on_redraw();
 }
 
@@ -198,13 +201,29 @@ void View::frame_selection()
     redraw();
 }
 
-void View::look(ViewAngles angles)
+void View::frame(std::span<const Point> points)
+{
+    camera_.fit(points);
+    redraw();
+}
+
+void View::set_camera(const Camera& camera)
+{
+    turn_.reset();
+    const int width = camera_.width(), height = camera_.height();
+    camera_ = camera;
+    camera_.resize(width, height);
+    told_ = camera_;
+    redraw();
+}
+
+void View::look(ViewAngles angles, double seconds)
 {
     if (animated_) {
         // The short way round.
         ViewAngles from = camera_.angles();
         from.azimuth = angles.azimuth + std::remainder(from.azimuth - angles.azimuth, 360.0);
-        turn_ = Turn{from, angles};
+        turn_ = Turn{from, angles, seconds};
     } else {
         camera_.set_angles(angles);
     }
@@ -215,7 +234,7 @@ bool View::animate(double now)
 {
     if (!turn_) return false;
     if (turn_->start < 0) turn_->start = now;
-    const double t = std::clamp((now - turn_->start) / turn_seconds, 0.0, 1.0), s = t * t * (3 - 2 * t);
+    const double t = std::clamp((now - turn_->start) / turn_->seconds, 0.0, 1.0), s = t * t * (3 - 2 * t);
     camera_.set_angles(t < 1 ? ViewAngles{std::lerp(turn_->from.azimuth, turn_->to.azimuth, s), std::lerp(turn_->from.elevation, turn_->to.elevation, s)}
                              : turn_->to);
     if (t >= 1) turn_.reset();

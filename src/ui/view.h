@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -27,6 +28,7 @@ public:
     std::function<void()> on_redraw;
     std::function<void(const std::string&)> on_event; // one line for the event log
     std::function<void(const Pointer&)> on_menu;      // a right click
+    std::function<void()> on_camera;                  // it was turned, moved or zoomed, but not by set_camera()
 
     const Camera& camera() const { return camera_; }
     void resize(int width, int height);
@@ -66,7 +68,10 @@ public:
 
     void frame_all();
     void frame_selection();
-    void look(ViewAngles angles);
+    void look(ViewAngles angles, double seconds = 0.2);
+    /// Takes all but the size of the picture from another camera, at once.
+    void set_camera(const Camera& camera);
+    void frame(std::span<const Point> points);
     void set_parallel(bool on);
     void zoom(double factor); // about the middle
     /// Views snap at once instead of turning there.
@@ -99,6 +104,7 @@ public:
 private:
     struct Turn {
         ViewAngles from, to;
+        double seconds = 0;
         double start = -1; // seconds; negative: at the next animate()
     };
 
@@ -112,7 +118,7 @@ private:
     void event(const std::string& line);
 
     Session& session_;
-    Camera camera_;
+    Camera camera_, told_; // told_: as on_camera knows it
     Style style_;
     SmoothPreview smooth_;
     CrustGuide crust_;
