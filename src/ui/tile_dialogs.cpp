@@ -2,6 +2,7 @@
 
 #include "ui/dialogs.h"
 #include "ui/layout.h"
+#include "ui/question.h"
 #include "ui/slider.h"
 #include "ui/theme.h"
 
@@ -28,49 +29,6 @@
 namespace druse::ui {
 
 namespace {
-
-/// A small window that waits until it is answered.
-class Question : public Fl_Double_Window {
-public:
-    Question(int w, int rows, const char* title) : Fl_Double_Window(w, rows * row() + 2 * layout().margin(), title)
-    {
-        color(theme().window);
-        set_modal();
-    }
-    static int row() { return layout().button_height() + layout().gap(); }
-    static int top(int line) { return layout().margin() + line * row(); }
-
-    /// Waits. @return whether it was answered with the first button
-    bool ask(Fl_Button& yes, Fl_Button& no)
-    {
-        yes.color(theme().accent);
-        yes.labelcolor(theme().on_accent);
-        no.color(theme().raised);
-        yes.callback([](Fl_Widget* button, void* answer) {
-            *static_cast<bool*>(answer) = true;
-            button->window()->hide();
-        }, &answer_);
-        no.callback([](Fl_Widget* button, void*) { button->window()->hide(); });
-        if (const Fl_Window* main = Fl::first_window())
-            position(std::max(0, main->x_root() + (main->w() - w()) / 2), std::max(0, main->y_root() + (main->h() - h()) / 3));
-        show();
-        yes.take_focus();
-        while (shown()) Fl::wait();
-        Fl::flush();
-        return answer_;
-    }
-
-private:
-    bool answer_ = false;
-};
-
-Fl_Box* add_label(int line, int width, const char* text)
-{
-    auto* label = new Fl_Box(layout().margin(), Question::top(line), width, layout().button_height(), text); // its window deletes it
-    label->align(FL_ALIGN_LEFT | FL_ALIGN_INSIDE | FL_ALIGN_CLIP);
-    label->labelsize(layout().font());
-    return label;
-}
 
 std::optional<std::string> ask_for_picture()
 {
@@ -141,9 +99,9 @@ std::optional<std::string> ask_for_trace(TileView& view, const std::filesystem::
     const int label = l.px(80), width = l.px(360);
     Fl_Group::current(nullptr);
     Question window(width, 5, "Tracing image");
-    add_label(0, label, "opacity");
-    add_label(1, label, "width");
-    add_label(2, label, "turn");
+    Question::add_label(0, label, "opacity");
+    Question::add_label(1, label, "width");
+    Question::add_label(2, label, "turn");
     const auto slider_at = [&](int line) { return std::make_unique<Slider>(l.margin() + label, Question::top(line), width - 2 * l.margin() - label, l.button_height()); };
     const auto opacity = slider_at(0), scale = slider_at(1), turn = slider_at(2);
     Fl_Button other(l.margin(), Question::top(3), l.px(100), l.button_height(), "File…"), none(other.x() + other.w() + l.gap(), other.y(), l.px(100), other.h(), "No image");
@@ -185,13 +143,13 @@ std::optional<TileExport> ask_how_to_export(const std::vector<StatusPart>& facts
     Fl_Group::current(nullptr);
     Question window(width, 4 + lines, "Export tile");
     for (int i = 0; i < lines; ++i) {
-        Fl_Box* fact = add_label(i, width - 2 * l.margin(), "");
+        Fl_Box* fact = Question::add_label(i, width - 2 * l.margin(), "");
         fact->copy_label(facts[std::size_t(i)].text.c_str());
         fact->labelcolor(facts[std::size_t(i)].warns ? theme().amber : theme().faint_text);
     }
-    add_label(lines, label, "bottom");
-    add_label(lines + 1, label, "clearance");
-    add_label(lines + 2, label, "warn if thinner than");
+    Question::add_label(lines, label, "bottom");
+    Question::add_label(lines + 1, label, "clearance");
+    Question::add_label(lines + 2, label, "warn if thinner than");
     Fl_Choice bottom(l.margin() + label, Question::top(lines), field, l.button_height());
     Fl_Input clearance(bottom.x(), Question::top(lines + 1), field, l.button_height()), least(bottom.x(), Question::top(lines + 2), field, l.button_height());
     const int buttons = l.px(160), small = l.px(80);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/shown_tile.h"
+#include "ui/solid_file.h"
 
 #include "ops/scene.h"
 #include "tile/layered_tile.h"
@@ -16,12 +17,6 @@ const LayeredTile* layered_tile(const Scene& scene);
 
 /// What the editor shows of a tile; without a type if there is none. Cost: linear in its points.
 ShownTile shown_tile(const LayeredTile* tile);
-
-/// The command that makes one of the solids of a tile, and the file it goes to.
-struct SolidFile {
-    std::string command;
-    std::filesystem::path file;
-};
 
 /// Each different solid of its stack, mirror images counted apart, in a file of its own: the proto-tile in `file`, then those with -2, -3, … behind its name.
 /// @param command what makes the first one

@@ -9,16 +9,7 @@ namespace druse::ui {
 
 Actions TileWindow::make_actions()
 {
-    Actions list;
-    list.push_back({"File/New tile…", FL_CTRL + 'n', [this] { choose_type(); }});
-    list.push_back({"File/Open…", FL_CTRL + 'o', [this] { files_.open(); }});
-    list.push_back({"File/Save", FL_CTRL + 's', [this] { files_.save(); }});
-    list.push_back({.path = "File/Save as…", .shortcut = FL_CTRL + FL_SHIFT + 's', .run = [this] { files_.save_as(); }, .divider = true});
-    list.push_back({"File/Export tile…", FL_CTRL + 'e', [this] { export_tile(); }});
-    list.push_back({.path = "File/Export drawing…", .run = [this] { export_drawing(); }, .divider = true});
-    list.push_back({"File/Close", FL_CTRL + 'w', [this] { close(); }});
-    list.push_back({"Edit/Undo", FL_CTRL + 'z', [this] { session_.undo(); }});
-    list.push_back({.path = "Edit/Redo", .shortcut = FL_CTRL + FL_SHIFT + 'z', .run = [this] { session_.redo(); }, .divider = true});
+    Actions list = file_actions([this] { choose_type(); }, [this] { export_tile(); }, {{.path = "File/Export drawing…", .run = [this] { export_drawing(); }}});
     list.push_back({"Edit/Remove", FL_Delete, [this] { plane_.remove(); }});
     list.push_back({.path = "Edit/Constrain by a drag", .shortcut = 'c', .run = [this] { plane_.start_constraint(), update_hint(); }, .divider = true});
     list.push_back({"Edit/Select all", 'a', [this] { select_all(true, true); }});
@@ -30,7 +21,7 @@ Actions TileWindow::make_actions()
                                           std::tuple("Tile/Drag the layer above", FL_F + 4, TileView::Tool::offset)})
         list.push_back({path, key, [this, t = tool] { set_tool(t); }, [this, t = tool] { return plane_.tool() == t; }});
     list.back().divider = true;
-    for (const Operator* op : operators_) list.push_back({"Tile/" + op->title(), 0, [this, op] { choose(*op); }});
+    add_operator_actions(list, "Tile");
     add_plane_actions(list);
     return list;
 }

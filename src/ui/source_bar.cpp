@@ -1,9 +1,8 @@
-#include "ui/tile_bar.h"
+#include "ui/source_bar.h"
 
 #include "ui/draw.h"
 #include "ui/layout.h"
 #include "ui/theme.h"
-#include "ui/type_picture.h"
 
 #include <FL/fl_draw.H>
 
@@ -12,18 +11,18 @@
 
 namespace druse::ui {
 
-TileBar::TileBar() : Panel(0, 0, 1, 1)
+SourceBar::SourceBar(const char* tip, const char* invitation, int width) : Panel(0, 0, 1, 1), type_(invitation), type_width_(width)
 {
     end();
-    type_.tooltip("The type of tiling: a click chooses another, with what of the tile still fits");
+    type_.tooltip(tip);
     type_.clear_visible_focus();
     type_.callback([](Fl_Widget*, void* p) {
-        if (const auto& act = static_cast<TileBar*>(p)->on_type) act();
+        if (const auto& act = static_cast<SourceBar*>(p)->on_type) act();
     }, this);
     add(type_);
 }
 
-void TileBar::add_button(const char* label, const char* tip, std::function<void()> press, std::function<bool()> is_on, bool apart, bool at_end)
+void SourceBar::add_button(const char* label, const char* tip, std::function<void()> press, std::function<bool()> is_on, bool apart, bool at_end)
 {
     Fl_Group::current(nullptr);
     items_.push_back({std::make_unique<Fl_Button>(0, 0, 1, 1, label), std::move(press), std::move(is_on), apart, at_end});
@@ -32,7 +31,7 @@ void TileBar::add_button(const char* label, const char* tip, std::function<void(
     button.labelsize(layout().small_font());
     button.clear_visible_focus();
     button.callback([](Fl_Widget* widget, void* p) {
-        auto* bar = static_cast<TileBar*>(p);
+        auto* bar = static_cast<SourceBar*>(p);
         for (const Item& item : bar->items_)
             if (item.button.get() == widget) {
                 item.press();
@@ -43,9 +42,9 @@ void TileBar::add_button(const char* label, const char* tip, std::function<void(
     add(button);
 }
 
-void TileBar::set_type(const std::string& name) { type_.set_type(name); }
+void SourceBar::set_type(const std::string& name, const std::function<Image(int height)>& make_picture) { type_.set_type(name, make_picture); }
 
-void TileBar::refresh()
+void SourceBar::refresh()
 {
     for (const Item& item : items_) {
         const bool on = item.is_on && item.is_on(), main = item.at_end;
@@ -55,13 +54,13 @@ void TileBar::refresh()
     redraw();
 }
 
-void TileBar::arrange()
+void SourceBar::arrange()
 {
     const Layout& l = layout();
     fl_font(FL_HELVETICA, l.small_font());
     const int height = l.button_height(), top = y() + (h() - height) / 2;
     const int pad = w() < l.px(1060) ? l.gap() : l.margin();
-    type_.resize(x() + l.margin(), top, l.px(88), height);
+    type_.resize(x() + l.margin(), top, l.px(type_width_), height);
     int left = type_.x() + type_.w(), right = x() + w() - l.margin();
     for (const Item& item : items_) {
         const int width = static_cast<int>(fl_width(item.button->label())) + 2 * pad;
@@ -76,7 +75,7 @@ void TileBar::arrange()
     }
 }
 
-void TileBar::draw()
+void SourceBar::draw()
 {
     fl_color(theme().header);
     fl_rectf(x(), y(), w(), h());
@@ -85,17 +84,15 @@ void TileBar::draw()
     draw_children();
 }
 
-void TileBar::TypeButton::set_type(const std::string& name)
+void SourceBar::TypeButton::set_type(const std::string& name, const std::function<Image(int height)>& make_picture)
 {
     if (name == name_) return;
     name_ = name;
-    picture_ = Image();
-    for (const IsohedralType& type : isohedral_types())
-        if (type.name() == name) picture_ = type_picture(type, layout().button_height() - 4);
+    picture_ = name.empty() ? Image() : make_picture(layout().button_height() - 4);
     redraw();
 }
 
-void TileBar::TypeButton::draw()
+void SourceBar::TypeButton::draw()
 {
     draw_box(value() ? FL_DOWN_BOX : FL_UP_BOX, theme().raised);
     int left = x() + layout().gap();
@@ -105,7 +102,7 @@ void TileBar::TypeButton::draw()
     }
     fl_font(FL_HELVETICA, layout().font());
     const int arrow = layout().px(14);
-    draw_text(name_.empty() ? "Type…" : name_, left, y(), x() + w() - left - arrow, h(), theme().text);
+    draw_text(name_.empty() ? invitation_ : name_, left, y(), x() + w() - left - arrow, h(), theme().text);
     draw_chevron(x() + w() - arrow - layout().px(2), y() + (h() - layout().px(12)) / 2, layout().px(12), true, theme().faint_text);
 }
 

@@ -13,15 +13,17 @@
 
 namespace druse::ui {
 
-/// A strip of buttons; those that are switches show whether they are on. The first one has a picture of the type of tile.
-class TileBar : public Panel {
+/// A strip of buttons; those that are switches show whether they are on. The first one says what type of tile or cell there is, with a picture.
+class SourceBar : public Panel {
 public:
-    TileBar();
+    /// `tip` and `invitation` are of the first button: the latter is on it while there is no type. `width`: of it, in pixels at scale 1.
+    SourceBar(const char* tip, const char* invitation, int width);
 
     std::function<void()> on_type; // the type was clicked
     /// A button: from the left end on, or, `at_end`, up to the right one. A gap goes before it where `apart`.
     void add_button(const char* label, const char* tip, std::function<void()> press, std::function<bool()> is_on = {}, bool apart = false, bool at_end = false);
-    void set_type(const std::string& name);
+    /// `make_picture` makes a picture of that height, where the type is another than before.
+    void set_type(const std::string& name, const std::function<Image(int height)>& make_picture);
     /// Brings the switches up to date.
     void refresh();
 
@@ -30,14 +32,15 @@ protected:
     void draw() override;
 
 private:
-    /// The type of tile there is; a click chooses another.
+    /// The type there is; a click chooses another.
     class TypeButton : public Fl_Button {
     public:
-        TypeButton() : Fl_Button(0, 0, 1, 1) {}
-        void set_type(const std::string& name);
+        explicit TypeButton(const char* invitation) : Fl_Button(0, 0, 1, 1, "…"), invitation_(invitation) {} // it asks, as its label tells
+        void set_type(const std::string& name, const std::function<Image(int height)>& make_picture);
 
     private:
         void draw() override;
+        const char* invitation_;
         std::string name_;
         Image picture_;
     };
@@ -50,6 +53,7 @@ private:
     };
     std::vector<Item> items_;
     TypeButton type_;
+    int type_width_;
 };
 
 } // namespace druse::ui
