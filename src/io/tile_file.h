@@ -5,6 +5,7 @@
 #include "io/output_files.h"
 #include "tile/layered_tile.h"
 
+#include <filesystem>
 #include <vector>
 
 namespace druse {
@@ -12,6 +13,9 @@ namespace druse {
 /// Reads a layered tile as Druse writes it: JSON, `"format": "druse-tile"`. Keys that it does not know are kept for the writer.
 /// @throws InputError with line and path of the key, as `paths[1].points[0]`, where something is not what it should be; a higher version than ours too
 Model read_tile(ByteSource& source);
+
+/// Is it a file of a cell? Not where it cannot be read, or is none of Druse's.
+bool is_cell_file(const std::filesystem::path& file);
 
 /// Writes the tile of a model, a line for each key; numbers are the shortest that read back as the same. @throws InputError if there is none
 void write_tile(const ModelView& model, OutputFiles& out);

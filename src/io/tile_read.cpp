@@ -234,15 +234,30 @@ private:
     const TileJson& json_;
 };
 
+std::string_view text_of(const std::vector<char>& bytes)
+{
+    const std::string_view text(bytes.data(), bytes.size());
+    return text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+}
+
 } // namespace
+
+bool is_cell_file(const std::filesystem::path& file)
+{
+    try {
+        ByteSource source = ByteSource::file(file);
+        const std::vector<char> bytes = source.read_all(largest_tile_file);
+        return TileJsonFile(text_of(bytes), source.name()).kind() == "cell";
+    } catch (const InputError&) {
+        return false;
+    }
+}
 
 Model read_tile(ByteSource& source)
 {
     const std::vector<char> bytes = source.read_all(largest_tile_file);
-    std::string_view text(bytes.data(), bytes.size());
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     Model model;
-    TileJsonFile file(text, source.name());
+    TileJsonFile file(text_of(bytes), source.name());
     if (file.kind() == "cell") model.cell.emplace(read_cell(file));
     else model.tile.emplace(TileFileReader(std::move(file)).read());
     return model;

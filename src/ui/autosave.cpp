@@ -1,13 +1,12 @@
 #include "ui/autosave.h"
 
-#include "ui/tile_source.h"
-
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <unistd.h>
+#include <variant>
 
 namespace druse::ui {
 
@@ -45,8 +44,8 @@ void remove(std::filesystem::path file, const char* extension)
 std::filesystem::path own_name(const std::filesystem::path& folder, Autosave::Kind kind)
 {
     // Names differ before the extension: each has its history and its lock beside it.
-    const std::string name = host() + "-" + std::to_string(getpid()) + (kind == Autosave::Kind::tile ? "-tile" : "");
-    const char* extension = kind == Autosave::Kind::tile ? tile_extension : model_extension;
+    const std::string name = host() + "-" + std::to_string(getpid()) + (kind == Autosave::Kind::tile ? "-tile" : kind == Autosave::Kind::cell ? "-cell" : "");
+    const char* extension = kind == Autosave::Kind::model ? model_extension : tile_extension;
     std::filesystem::path file = folder / (name + extension);
     std::error_code none;
     for (int i = 2; std::filesystem::exists(file, none); ++i) file = folder / (name + "-" + std::to_string(i) + extension);
@@ -139,7 +138,8 @@ void Autosave::save()
 bool Autosave::has_something() const
 {
     const Scene* scene = session_.scene();
-    return kind_ == Kind::model ? session_.display().counts.faces > 0 : scene && layered_tile(*scene);
+    if (kind_ == Kind::model) return session_.display().counts.faces > 0;
+    return scene && (std::holds_alternative<LayeredTile>(*scene->source) || std::holds_alternative<CellTile>(*scene->source));
 }
 
 void Autosave::save_now()

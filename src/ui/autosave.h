@@ -11,13 +11,13 @@ namespace druse::ui {
 
 /// Keeps a copy of unsaved work where the next start finds it, should this one end badly.
 ///
-/// The copy is a model, or of the tile editor a tile, and, where there is one, the history as a script, both named after the process; a lock file
+/// The copy is a model, or of the editors of tiles and cells a tile, and, where there is one, the history as a script, both named after the process; a lock file
 /// beside them says whose they are. They go when the window is closed in order.
 class Autosave {
 public:
     static constexpr double after_change = 20, at_least_every = 120; // seconds
 
-    enum class Kind { model, tile };
+    enum class Kind { model, tile, cell };
     /// `folder` is made if it is not there; if it cannot be, nothing is kept, and the session says so.
     Autosave(Session& session, std::filesystem::path folder, Kind kind = Kind::model);
     ~Autosave();

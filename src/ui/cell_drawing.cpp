@@ -98,7 +98,8 @@ private:
         const bool room = has_room_for_handles();
         for (const PanePoint& p : pane_.points) {
             const bool together = p.orbit == view_.hovered_orbit();
-            const HandleMark mark = view_.selected().contains(p.name) ? HandleMark::selected : together ? HandleMark::together : HandleMark::none;
+            const bool selected = view_.selected().contains(p.name) || view_.is_marked(p.name);
+            const HandleMark mark = selected ? HandleMark::selected : together ? HandleMark::together : HandleMark::none;
             if (!room && mark == HandleMark::none && p.kind != PanePoint::Kind::corner) continue;
             switch (p.kind) {
             case PanePoint::Kind::corner: draw_corner_handle(p.at, mark, view_.shown().orbits ? corner_colour(p.orbit, dark_) : colours_.handle); break;

@@ -18,6 +18,8 @@ public:
     using Side = CellSolid::Side;
     static constexpr std::size_t most_faces = 2'000'000; // shells are left out, the outermost first, but for one, where there would be more
 
+    bool is_shown = true; // else a mesh is, in its place
+
     /// Cells around it, which are shown where `shrink` is above 0: scaled about their own centres of mass, so that joints open; 1 is touching.
     /// follow() then shows it.
     void set_neighbours(double shrink, int shells);

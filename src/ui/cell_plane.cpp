@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -56,6 +56,12 @@ void CellPlane::show_pane(int pane)
 void CellPlane::set_shown(const Shown& shown)
 {
     shown_ = shown;
+    redraw();
+}
+
+void CellPlane::mark(std::set<std::string> names)
+{
+    marked_ = std::move(names);
     redraw();
 }
 
@@ -119,7 +125,7 @@ std::string CellPlane::hint() const
     using Kind = PanePoint::Kind;
     if (!cell_) return "choose a kind of cell";
     if (shown_pane_.pane < 0) return "right click a pane of the cell to edit it";
-    if (!shown_pane_.is_flat) return "roll the pane back to edit it";
+    if (!shown_pane_.is_flat) return "this pane has its shape: roll it back to edit it";
     if (box_next_ || gesture_ == Gesture::box) return "drag a box around points; Shift adds, Ctrl removes";
     if (constrain_next_ || gesture_ == Gesture::constrain) return "drag from one point to another";
     if (!hovered_) return "wheel zooms, right drag moves the plane";

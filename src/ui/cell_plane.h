@@ -48,6 +48,9 @@ public:
     int hovered_orbit() const;
     int hovered_edge() const;
     const std::optional<Refused>& refused() const { return refused_; }
+    /// Points that are picked in space, by name, show as selected here too.
+    void mark(std::set<std::string> names);
+    bool is_marked(const std::string& name) const { return marked_.contains(name); }
     std::string hint() const override;
     std::string invitation() const override;
 
@@ -83,6 +86,7 @@ private:
     PanePoint grabbed_point_; // as it was then: what comes of a drag may have fewer points
     Point2 grip_{0.0};        // from the pointer to the point
     std::optional<PaneHit> hovered_;
+    std::set<std::string> marked_;
     std::optional<Refused> refused_;
 };
 

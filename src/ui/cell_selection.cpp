@@ -1,6 +1,7 @@
 #include "ui/cell_selection.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace druse::ui {
@@ -20,13 +21,12 @@ bool CellSelection::has_orbit(int orbit) const
 
 std::string CellSelection::text() const
 {
-    std::vector<int> orbits; // from the last one back
+    std::set<int> orbits;
+    std::vector<const Pick*> last; // of each orbit, from the last one back
+    for (auto pick = picks_.rbegin(); pick != picks_.rend(); ++pick)
+        if (orbits.insert(pick->at.orbit).second) last.push_back(&*pick);
     std::string text;
-    for (auto pick = picks_.rbegin(); pick != picks_.rend(); ++pick) {
-        if (std::ranges::find(orbits, pick->at.orbit) != orbits.end()) continue;
-        orbits.push_back(pick->at.orbit);
-        text.insert(0, pick->name.text() + (text.empty() ? "" : ","));
-    }
+    for (auto pick = last.rbegin(); pick != last.rend(); ++pick) text.append(text.empty() ? "" : ",").append((*pick)->name.text());
     return text;
 }
 

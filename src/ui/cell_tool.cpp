@@ -114,7 +114,7 @@ std::optional<CellTool::Spot> CellTool::spot_under(const Pointer& p) const
 
 void CellTool::pick_pane(const Pointer& p) const
 {
-    if (!picture_.cell() || !on_pane) return;
+    if (!is_drawn() || !on_pane) return;
     const auto hit = pick_face(picture_.lists(), camera_.ray(p.x, p.y));
     if (!hit) on_pane(-1, false);
     else if (const auto side = picture_.pane_of(hit->face)) on_pane(side->pane, side->far);
@@ -388,6 +388,7 @@ std::unique_ptr<Gesture> CellTool::press(const Pointer& start, const ShowTarget&
 std::string CellTool::hint() const
 {
     if (!picture_.cell()) return "choose a kind of cell";
+    if (!picture_.is_shown) return "this is the mesh that was made; undo, or an edit in the pane, shows the cell again";
     if (!is_shaped()) return "right click a pane to edit it, beside the cell to leave it; drag to turn; Shape lets its points move in space";
     if (mode_ == Mode::split) return "click a triangle or an edge to split it, and its partner on the far pane";
     if (mode_ == Mode::flip) return "click an edge between two triangles to turn it into the other diagonal";

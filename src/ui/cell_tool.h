@@ -78,7 +78,8 @@ private:
         int nearest_side = -1; // of the triangle, where it is near the pointer
     };
 
-    bool is_shaped() const { return picture_.cell() && picture_.cell()->phase() == 2; }
+    bool is_drawn() const { return picture_.cell() && picture_.is_shown; }
+    bool is_shaped() const { return is_drawn() && picture_.cell()->phase() == 2; }
     const Point& place(Vertex v) const { return picture_.solid().points[v.index]; }
     std::optional<Vertex> vertex_under(const Pointer& pointer) const;
     std::optional<Spot> spot_under(const Pointer& pointer) const;

@@ -26,7 +26,7 @@ void add_cell_dot(Overlay& overlay, const Point& at, Colour colour, double size,
 
 void CellTool::add_marks(Overlay& overlay) const
 {
-    if (!picture_.cell()) return;
+    if (!is_drawn()) return;
     add_panes(overlay);
     add_hovered_edge(overlay);
     add_points(overlay);
@@ -73,11 +73,15 @@ void CellTool::add_points(Overlay& overlay) const
 {
     const CellTile& cell = *picture_.cell();
     const std::size_t count = picture_.solid().points.size();
-    std::vector<int> marked(static_cast<std::size_t>(cell.point_count()), 0); // orbits that are picked here or in the plane, or pointed at
+    std::vector<bool> marked(static_cast<std::size_t>(cell.point_count()), false); // orbits that are picked here or in the plane, or pointed at
+    std::vector<bool> picked(count, false);
     const auto mark = [&](int orbit) {
-        if (orbit >= 0 && orbit < cell.point_count()) marked[static_cast<std::size_t>(orbit)] = 1;
+        if (orbit >= 0 && orbit < cell.point_count()) marked[static_cast<std::size_t>(orbit)] = true;
     };
-    for (const CellSelection::Pick& pick : selection_.picks()) mark(pick.at.orbit);
+    for (const CellSelection::Pick& pick : selection_.picks()) {
+        mark(pick.at.orbit);
+        if (const auto v = picture_.vertex_of(pick.at)) picked[v->index] = true;
+    }
     mark(plane_.hovered_orbit());
     if (!plane_.selected().empty())
         for (const PanePoint& point : plane_.shown_pane().points)
@@ -87,11 +91,11 @@ void CellTool::add_points(Overlay& overlay) const
     const bool looks = count * picture_.lists().pick_boxes().size() < most_cell_looks;
     for (std::uint32_t v = 0; v < count; ++v) {
         const OrbitMember member = *picture_.orbit_of(Vertex(v));
-        const bool is_marked = marked[static_cast<std::size_t>(member.orbit)] != 0, is_picked = is_marked && selection_.has(member);
+        const bool is_marked = marked[static_cast<std::size_t>(member.orbit)];
         if (!is_marked && count > most_cell_dots) continue;
         const bool is_before = facing[v] && !(looks && is_hidden(place(Vertex(v))));
         if (is_marked) {
-            add_cell_dot(overlay, place(Vertex(v)), is_picked ? picked_colour : partner_colour, 11, is_before ? 1 : hidden_opacity);
+            add_cell_dot(overlay, place(Vertex(v)), picked[v] ? picked_colour : partner_colour, 11, is_before ? 1 : hidden_opacity);
         } else if (is_before) {
             const CellPointName name = cell.name(member.orbit);
             const bool is_corner = name.kind == CellPointName::Kind::corner, is_edge = name.kind == CellPointName::Kind::edge;

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace druse::ui {
 
 std::vector<Fact> print_facts(const Display& display, const std::string& unit)
@@ -34,9 +36,9 @@ std::vector<Fact> print_facts(const Display& display, const std::string& unit)
     return list;
 }
 
-void FactsPanel::update(const std::string& unit)
+void FactsPanel::show_facts(std::vector<Fact> facts)
 {
-    facts_ = print_facts(session_.display(), unit);
+    facts_ = std::move(facts);
     refresh();
 }
 

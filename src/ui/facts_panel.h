@@ -1,15 +1,14 @@
 #pragma once
 
+#include "ui/display.h"
 #include "ui/list_view.h"
-#include "ui/session.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace druse::ui {
 
-/// What one wants to know of a model before it is printed.
+/// What one wants to know of a model, as before it is printed.
 struct Fact {
     std::string name, value;
     enum class Tone { plain, good, warning } tone = Tone::plain;
@@ -19,8 +18,8 @@ std::vector<Fact> print_facts(const Display& display, const std::string& unit);
 
 class FactsPanel : public ListView {
 public:
-    FactsPanel(Session& session, int x, int y, int w, int h) : ListView(x, y, w, h), session_(session) {}
-    void update(const std::string& unit); // shows what the session has now
+    FactsPanel(int x, int y, int w, int h) : ListView(x, y, w, h) {}
+    void show_facts(std::vector<Fact> facts);
 
 private:
     int rows() const override { return int(facts_.size()); }
@@ -28,7 +27,6 @@ private:
     void press_row(int, int, int, bool) override {}
     bool is_selected(int) const override { return false; }
 
-    Session& session_;
     std::vector<Fact> facts_;
 };
 

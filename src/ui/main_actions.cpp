@@ -114,7 +114,8 @@ void add_group_actions(Actions& list, MainWindow& w)
 
 void add_tile_actions(Actions& list, MainWindow& w)
 {
-    list.push_back({.path = "Tile/Tile editor", .shortcut = FL_F + 6, .run = [&w] { w.tile_editor(); }, .divider = true});
+    list.push_back({"Tile/Tile editor", FL_F + 6, [&w] { w.tile_editor(); }});
+    list.push_back({.path = "Tile/Cell editor", .shortcut = FL_F + 7, .run = [&w] { w.cell_editor(); }, .divider = true});
 }
 
 void add_view_actions(Actions& list, MainWindow& w)

@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "ui/cell_window.h"
 #include "ui/context_menu.h"
 #include "ui/dialogs.h"
 #include "ui/help_window.h"
@@ -11,6 +12,7 @@
 #include "ui/theme.h"
 #include "ui/tile_window.h"
 
+#include "io/tile_file.h"
 #include "render/png.h"
 
 #include <FL/Fl.H>
@@ -42,7 +44,7 @@ MainWindow::MainWindow(Session& session, Preferences& preferences, const Options
       files_(session), pictures_([this](const Mesh& solid, int size) { return viewport_.picture_of(solid, size); }),
       tree_(session, pictures_, 0, 0, 1, 1), parameters_(session, pictures_, 0, 0, 1, 1), view_bar_(session, view_, 0, 0, 1, 1),
       no_view_(0, 0, 1, 1), viewport_(session, view_, 0, 0, 10, 10), history_(session, 0, 0, 1, 1), groups_(session, view_, 0, 0, 1, 1),
-      facts_(session, 0, 0, 1, 1), history_section_("History", history_), groups_section_("Groups", groups_),
+      facts_(0, 0, 1, 1), history_section_("History", history_), groups_section_("Groups", groups_),
       facts_section_("Print check", facts_), tree_divider_(true), status_(session, 0, 0, 1, 1), show_progress_([this] {
           status_.update_progress();
           if (session_.is_working() || view_.smooth().is_computing()) show_progress_.start(progress_tick);
@@ -106,11 +108,7 @@ MainWindow::MainWindow(Session& session, Preferences& preferences, const Options
         if (view_.is_animating()) animate_.start(frame_time);
     };
     view_.on_menu = [this](const Pointer& pointer) { show_context_menu(*this, pointer); };
-    files_.open_elsewhere = [this](const std::filesystem::path& file) {
-        if (file.extension() != ".tile") return false;
-        tile_editor().open(file);
-        return true;
-    };
+    files_.open_elsewhere = [this](const std::filesystem::path& file) { return open_in_editor(file, nullptr); };
     viewport_.on_drop = [this](const std::string& uris) { files_.drop(uris); };
     pictures_.on_ready = [this] { tree_.redraw(), parameters_.redraw(); };
     menu_->on_operator = [this](const Operator& op) { choose(op); };
@@ -229,7 +227,7 @@ void MainWindow::refresh()
     view_bar_.refresh();
     history_.update();
     groups_.update();
-    facts_.update(preferences_.unit);
+    facts_.show_facts(print_facts(session_.display(), preferences_.unit));
     history_section_.set_note(std::to_string(session_.display().done) + " of " + std::to_string(session_.display().steps.size()));
     status_.update(preferences_.unit);
     update_hint();
@@ -411,25 +409,55 @@ void MainWindow::show_log()
     show_text("Log", text.empty() ? "Nothing was said yet." : text);
 }
 
-TileWindow& MainWindow::tile_editor()
+template <class Editor>
+Editor& MainWindow::show_editor(std::unique_ptr<Editor>& editor)
 {
-    if (!tile_editor_) {
-        tile_editor_ = std::make_unique<TileWindow>(session_.registry(), preferences_, options_.test, w(), h());
-        tile_editor_->on_event = [this](const std::string& line) { event("tile: " + line); };
-        tile_editor_->on_export = [this](Script script) {
+    if (!editor) {
+        editor = std::make_unique<Editor>(session_.registry(), preferences_, options_.test, w(), h());
+        SourceWindow& made = *editor;
+        made.on_event = [this, mark = made.mark()](const std::string& line) { event(mark + line); };
+        made.on_export = [this](Script script) {
             if (!options_.test && !files_.may_leave()) return;
             framed_ = false; // it is framed
             session_.run_script(std::move(script));
             if (shown()) show(); // in front
         };
-        if (on_tile_editor) on_tile_editor(*tile_editor_);
+        made.files().open_elsewhere = [this, &made](const std::filesystem::path& file) { return open_in_editor(file, &made); };
+        if (on_editor) on_editor(made);
     }
-    if (!tile_editor_->shown()) {
-        tile_editor_->size(w(), h());
-        tile_editor_->position(x_root(), y_root());
+    if (!editor->shown()) {
+        editor->size(w(), h());
+        editor->position(x_root(), y_root());
     }
-    tile_editor_->show();
-    return *tile_editor_;
+    editor->show();
+    return *editor;
+}
+
+TileWindow& MainWindow::tile_editor() { return show_editor(tile_editor_); }
+
+CellWindow& MainWindow::cell_editor() { return show_editor(cell_editor_); }
+
+SourceWindow& MainWindow::editor_for(const std::filesystem::path& file)
+{
+    if (is_cell_file(file)) return cell_editor();
+    return tile_editor();
+}
+
+std::vector<SourceWindow*> MainWindow::editors() const
+{
+    std::vector<SourceWindow*> open;
+    for (SourceWindow* editor : {static_cast<SourceWindow*>(tile_editor_.get()), static_cast<SourceWindow*>(cell_editor_.get())})
+        if (editor) open.push_back(editor);
+    return open;
+}
+
+/// @return false if it is no tile, or one for the editor that asks
+bool MainWindow::open_in_editor(const std::filesystem::path& file, const SourceWindow* asks)
+{
+    if (file.extension() != ".tile") return false;
+    if (asks && (asks == cell_editor_.get()) == is_cell_file(file)) return false;
+    editor_for(file).open(file);
+    return true;
 }
 
 bool MainWindow::is_in_view(int x, int y) const { return x >= viewport_.x() && x < viewport_.x() + viewport_.w() && y >= viewport_.y(); }
@@ -441,8 +469,12 @@ void MainWindow::open(const std::filesystem::path& file)
 
 void MainWindow::quit()
 {
-    if (!options_.test && ((tile_editor_ && !tile_editor_->may_close()) || !files_.may_leave())) return;
-    if (tile_editor_) tile_editor_->hide();
+    if (!options_.test) {
+        for (SourceWindow* editor : editors())
+            if (!editor->may_close()) return;
+        if (!files_.may_leave()) return;
+    }
+    for (SourceWindow* editor : editors()) editor->hide();
     preferences_.x = x_root();
     preferences_.y = y_root();
     preferences_.width = w();

@@ -22,9 +22,12 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace druse::ui {
 
+class CellWindow;
+class SourceWindow;
 class TileWindow;
 
 /// Puts the parts of the window side by side and tells each when the session has changed. What they do is in them.
@@ -61,13 +64,16 @@ public:
     void show_help();
     void show_log();
     void quit();
-    /// The tile editor, opened where it is not open yet.
+    /// The editors of tiles and of cells, opened where they are not open yet.
     TileWindow& tile_editor();
-    /// The same where it has been open; null where it never was.
-    TileWindow* known_tile_editor() { return tile_editor_.get(); }
-    /// The tile editor is there for the first time.
-    std::function<void(TileWindow&)> on_tile_editor;
-    /// Opens a file: a tile in the tile editor.
+    CellWindow& cell_editor();
+    /// The one for a `.tile` file.
+    SourceWindow& editor_for(const std::filesystem::path& file);
+    /// Those that have been open.
+    std::vector<SourceWindow*> editors() const;
+    /// One is there for the first time.
+    std::function<void(SourceWindow&)> on_editor;
+    /// Opens a file: a tile or a cell in its editor.
     void open(const std::filesystem::path& file) override;
     void choose(const Operator& op) override;
     bool is_in_view(int x, int y) const override;
@@ -85,6 +91,9 @@ private:
     bool other_key(int key);
     void show_missing_view();
     void frame_what_is_new();
+    template <class Editor>
+    Editor& show_editor(std::unique_ptr<Editor>& editor);
+    bool open_in_editor(const std::filesystem::path& file, const SourceWindow* asks);
 
     Session& session_;
     Preferences& preferences_;
@@ -106,6 +115,7 @@ private:
     StatusBar status_;
 
     std::unique_ptr<TileWindow> tile_editor_;
+    std::unique_ptr<CellWindow> cell_editor_;
 
     Timer show_progress_, count_facts_, forget_failed_, animate_, give_up_view_;
 

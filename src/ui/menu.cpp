@@ -15,8 +15,8 @@ namespace druse::ui {
 
 namespace {
 
-constexpr std::array<const char*, 13> order{"File",     "Edit", "Make",  "Select", "Group", "Extrude", "Remesh",
-                                            "Topology", "Rind", "Graph", "Tile",   "View",  "Help"};
+constexpr std::array<const char*, 14> order{"File",     "Edit", "Make",  "Select", "Group", "Extrude", "Remesh",
+                                            "Topology", "Rind", "Graph", "Tile",   "Cell",  "View",    "Help"};
 
 /// The path with the letter marked that opens its menu with Alt.
 std::string with_mnemonic(const std::string& path)

@@ -3,8 +3,7 @@
 #include "ui/key_names.h"
 #include "ui/list_view.h"
 #include "ui/main_window.h"
-#include "ui/replay.h"
-#include "ui/tile_window.h"
+#include "ui/source_window.h"
 
 #include "dlfl/errors.h"
 
@@ -75,7 +74,7 @@ Recorder::Recorder(MainWindow& window, const std::string& file) : window_(window
 Recorder::~Recorder()
 {
     window_.menu().on_pick = nullptr;
-    if (TileWindow* editor = window_.known_tile_editor()) editor->menu().on_pick = nullptr;
+    for (SourceWindow* editor : window_.editors()) editor->menu().on_pick = nullptr;
     Fl::event_dispatch(nullptr);
     only_ = nullptr;
 }
@@ -87,17 +86,22 @@ void Recorder::watch(EditorWindow& window)
     };
 }
 
-void Recorder::write(const EditorWindow& window, const std::string& line)
+void Recorder::write(EditorWindow& window, const std::string& line)
 {
-    out_ << (&window == &window_ ? "" : tile_editor_mark) << line << std::endl;
+    const auto* editor = dynamic_cast<const SourceWindow*>(&window);
+    out_ << (editor ? editor->mark() : "") << line << std::endl;
 }
 
 int Recorder::dispatch(int event, Fl_Window* to)
 {
     // What goes to menus and dialogs is theirs.
-    if (to && !Fl::grab())
-        for (EditorWindow* window : {static_cast<EditorWindow*>(&only_->window_), static_cast<EditorWindow*>(only_->window_.known_tile_editor())})
-            if (window && (to == window || to->window() == window)) only_->record(event, *window);
+    if (to && !Fl::grab()) {
+        const auto look = [&](EditorWindow& window) {
+            if (to == &window || to->window() == &window) only_->record(event, window);
+        };
+        look(only_->window_);
+        for (SourceWindow* editor : only_->window_.editors()) look(*editor);
+    }
     return Fl::handle_(event, to);
 }
 
@@ -130,14 +134,16 @@ void Recorder::record(int event, EditorWindow& window)
 
 void Recorder::follow(const std::string& line)
 {
-    const bool in_tile_editor = line.starts_with(tile_editor_mark);
-    const std::string_view rest = std::string_view(line).substr(in_tile_editor ? std::string_view(tile_editor_mark).size() : 0);
+    std::string mark; // of the editor whose line it is
+    for (const SourceWindow* editor : window_.editors())
+        if (line.starts_with(editor->mark())) mark = editor->mark();
+    const std::string_view rest = std::string_view(line).substr(mark.size());
     for (const char* event : {"opened ", "saved ", "exported ", "set ", "preset ", "run ", "choose ", "handed over"}) {
         if (!rest.starts_with(event)) continue;
         std::string verb = event;
         for (const auto& [done, present] : {std::pair("opened ", "open "), std::pair("saved ", "save "), std::pair("exported ", "export "), std::pair("handed over", "hand over")})
             if (verb == done) verb = present;
-        out_ << (in_tile_editor ? tile_editor_mark : "") << verb << rest.substr(std::string_view(event).size()) << std::endl;
+        out_ << mark << verb << rest.substr(std::string_view(event).size()) << std::endl;
     }
 }
 

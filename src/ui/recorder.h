@@ -10,7 +10,7 @@ namespace druse::ui {
 class EditorWindow;
 class MainWindow;
 
-/// Writes down what a person does in the main window and in the tile editor, one event a line, as Replay reads it.
+/// Writes down what a person does in the main window and in the editors of tiles and cells, one event a line, as Replay reads it.
 ///
 /// Menus and dialogs are left out; what comes of them is written instead: the entry that was picked, the file that was opened.
 class Recorder {
@@ -29,7 +29,7 @@ public:
 private:
     static int dispatch(int event, Fl_Window* to);
     void record(int event, EditorWindow& window);
-    void write(const EditorWindow& window, const std::string& line);
+    void write(EditorWindow& window, const std::string& line);
 
     static Recorder* only_;
     MainWindow& window_;

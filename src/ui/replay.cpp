@@ -1,5 +1,6 @@
 #include "ui/replay.h"
 
+#include "ui/cell_window.h"
 #include "ui/key_names.h"
 #include "ui/main_window.h"
 #include "ui/tile_window.h"
@@ -14,7 +15,6 @@
 #include <array>
 #include <fstream>
 #include <sstream>
-#include <string_view>
 
 namespace druse::ui {
 
@@ -102,8 +102,8 @@ void Replay::next()
 
 bool Replay::is_busy() const
 {
-    TileWindow* editor = window_.known_tile_editor();
-    return window_.session().busy() || (editor && editor->session().busy());
+    const std::vector<SourceWindow*> editors = window_.editors();
+    return window_.session().busy() || std::ranges::any_of(editors, [](SourceWindow* editor) { return editor->session().busy(); });
 }
 
 bool Replay::awaited(const std::string& event)
@@ -116,11 +116,8 @@ bool Replay::awaited(const std::string& event)
 
 void Replay::play(std::string line)
 {
-    TileWindow* editor = nullptr;
-    if (line.starts_with(tile_editor_mark)) {
-        editor = &window_.tile_editor();
-        line.erase(0, std::string_view(tile_editor_mark).size());
-    }
+    SourceWindow* editor = line.starts_with("tile: ") ? static_cast<SourceWindow*>(&window_.tile_editor()) : line.starts_with("cell: ") ? &window_.cell_editor() : nullptr;
+    if (editor) line.erase(0, editor->mark().size());
     EditorWindow& window = editor ? static_cast<EditorWindow&>(*editor) : window_;
     std::istringstream words(line);
     std::string verb, rest;

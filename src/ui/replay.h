@@ -11,9 +11,6 @@ namespace druse::ui {
 class EditorWindow;
 class MainWindow;
 
-/// What lines of the event log and of recordings begin with that are the tile editor's.
-inline constexpr const char* tile_editor_mark = "tile: ";
-
 /// Plays a recording on the main loop: mouse, keys and menu entries go in where FLTK would put them.
 ///
 /// ```
@@ -22,7 +19,7 @@ inline constexpr const char* tile_editor_mark = "tile: ";
 /// open FILE       save FILE           export FILE          shot FILE.png            wait EVENT     quit
 /// preset NAME     hand over
 /// ```
-/// A line that begins with `tile: ` is for the tile editor, which it opens; `hand over` ends its work, and the main window has the mesh.
+/// A line that begins with `tile: ` or `cell: ` is for the editor of tiles or cells, which it opens; `hand over` ends its work, and the main window has the mesh.
 /// `wait` goes on when a line of the event log since the last wait begins so; after 10 seconds it fails.
 class Replay {
 public:

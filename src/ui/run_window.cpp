@@ -10,8 +10,8 @@
 #include "ui/recorder.h"
 #include "ui/replay.h"
 #include "ui/signals.h"
+#include "ui/source_window.h"
 #include "ui/theme.h"
-#include "ui/tile_window.h"
 
 #include "app/registry.h"
 #include "dlfl/errors.h"
@@ -21,6 +21,7 @@
 #include <FL/x.H>
 
 #include <cstdlib>
+#include <map>
 #include <optional>
 
 namespace druse {
@@ -47,13 +48,6 @@ double scale_of(const WindowOptions& options, const Preferences& preferences)
     throw CommandError("--ui-scale: expected 1, 1.25, 1.5 or 2");
 }
 
-/// Of the tile editor; null where it never was open.
-Session* tile_session(MainWindow& window)
-{
-    TileWindow* editor = window.known_tile_editor();
-    return editor ? &editor->session() : nullptr;
-}
-
 /// What an earlier run could not save.
 void offer_leftovers(const Autosave& autosave, MainWindow& window)
 {
@@ -62,7 +56,7 @@ void offer_leftovers(const Autosave& autosave, MainWindow& window)
         if (answer == Leftover::discard) Autosave::discard(model);
         if (answer != Leftover::recover) continue;
         const std::filesystem::path here = Autosave::set_aside(model);
-        Session& session = here.extension() == ".tile" ? window.tile_editor().session() : window.session();
+        Session& session = here.extension() == ".tile" ? window.editor_for(here).session() : window.session();
         session.open(here);
         session.wait();
         if (session.file() == here) session.detach();
@@ -97,12 +91,14 @@ int run_window(const WindowOptions& options)
     if (!options.record.empty()) recorder.emplace(window, options.record);
     std::optional<Replay> replay;
     if (!options.replay.empty()) replay.emplace(window, options.replay);
-    std::optional<Autosave> autosave, tile_autosave;
-    window.on_tile_editor = [&](TileWindow& editor) {
+    std::optional<Autosave> autosave;
+    std::map<SourceWindow*, Autosave> editor_autosaves;
+    window.on_editor = [&](SourceWindow& editor) {
         if (recorder) recorder->watch(editor);
         if (options.test) return;
-        tile_autosave.emplace(editor.session(), Autosave::default_folder(), Autosave::Kind::tile);
-        editor.on_change = [&] { tile_autosave->follow(); };
+        const auto kind = editor.word() == "cell" ? Autosave::Kind::cell : Autosave::Kind::tile;
+        Autosave& copy = editor_autosaves.try_emplace(&editor, editor.session(), Autosave::default_folder(), kind).first->second;
+        editor.on_change = [&copy] { copy.follow(); };
     };
     window.on_event = [&](const std::string& line) {
         log.write(line);
@@ -136,20 +132,23 @@ int run_window(const WindowOptions& options)
         window.on_change = [&] { autosave->follow(); };
     }
     const EndSignals signals([&] {
-        for (const auto& [work, copy] : {std::pair(&session, &autosave), std::pair(tile_session(window), &tile_autosave)}) {
-            if (!*copy) continue;
-            work->cancel(); // what is not done yet is not part of the work
-            (*copy)->save_now();
-            (*copy)->keep();
-        }
+        const auto keep = [](Session& work, Autosave& copy) {
+            work.cancel(); // what is not done yet is not part of the work
+            copy.save_now();
+            copy.keep();
+        };
+        if (autosave) keep(session, *autosave);
+        for (auto& [editor, copy] : editor_autosaves) keep(editor->session(), copy);
         close_all();
     });
     Fl::run();
     window.on_change = nullptr;
-    window.on_tile_editor = nullptr;
-    for (Session* work : {&session, tile_session(window)})
-        if (work) work->cancel(), work->wait();
-    if (TileWindow* editor = window.known_tile_editor()) editor->on_change = nullptr;
+    window.on_editor = nullptr;
+    session.cancel(), session.wait();
+    for (SourceWindow* editor : window.editors()) {
+        editor->session().cancel(), editor->session().wait();
+        editor->on_change = nullptr;
+    }
     if (!options.test) preferences.store();
     if (replay && !replay->failure().empty()) throw CommandError(replay->failure());
     return 0;

@@ -1,6 +1,7 @@
 #include "ui/autosave.h"
 
 #include "app/registry.h"
+#include "io/tile_file.h"
 #include "support/folder.h"
 
 #include <gtest/gtest.h>
@@ -134,6 +135,20 @@ TEST_F(AutosaveTest, KeepsTheTileOfATileEditorBesideTheModel)
     recovered.wait();
     ASSERT_TRUE(recovered.scene() && std::holds_alternative<LayeredTile>(*recovered.scene()->source));
     EXPECT_EQ(std::get<LayeredTile>(*recovered.scene()->source).design().type, 79);
+    EXPECT_FALSE(is_cell_file(here));
+}
+
+TEST_F(AutosaveTest, KeepsACellInAFileThatIsToldFromATile)
+{
+    Session cells(all_operators());
+    Autosave autosave(cells, folder, Autosave::Kind::cell), tiles(session, folder, Autosave::Kind::tile);
+    cells.run("cell.new cell=fcc size=20");
+    cells.wait();
+    autosave.save_now();
+    ASSERT_EQ(files(), 4u) << "two locks, the cell and its history";
+    EXPECT_NE(autosave.own_model(), tiles.own_model());
+    EXPECT_TRUE(is_cell_file(autosave.own_model()));
+    EXPECT_FALSE(is_cell_file(folder / "none.tile"));
 }
 
 } // namespace

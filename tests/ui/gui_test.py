@@ -38,6 +38,9 @@ PAINT_BUTTON = (1060, 551)
 TILE_TYPE = (50, 47)
 TILE_CHOICE = (1150, 266)
 TILE_FIELD = (1150, 368)
+# In the cell editor, too.
+CELL_KIND = (90, 47)
+CELL_NEAR, CELL_FAR = (723, 308), (1095, 308)  # the middles of its views
 # Faces of a torus with 24 by 12 of them.
 HOLES = ((690, 485), (560, 475), (866, 436))
 STRIP = ((622, 565), (694, 565), (762, 555))
@@ -877,6 +880,134 @@ def tile_replay(druse, folder, pictures):
     check((folder / "second.obj").read_text().count("\nf ") == 12, "the main window has not the mesh")
 
 
+def numbers(text):
+    return tuple(float(number) for number in text.split(","))
+
+
+class CellEditor:
+    """The cell editor of a program that was started at 1280 by 800."""
+
+    def __init__(self, window):
+        self.window = window
+        self.main = window.id
+        self.id = run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "Cell editor$").split()[0]
+        window.id = self.id
+
+    def open_pane(self, place):
+        """By a right click in space. The event log says which one it is, and where it is on the left."""
+        self.window.click(place, 3)
+        words = self.window.wait("cell: pane ").split()
+        check(words[2] != "none", "the right click should be on a pane")
+        self.middle, self.scale = numbers(words[5]), float(words[7])
+        return int(words[2]), words[3]
+
+    def place(self, x, y):
+        """Where a place of the pane is seen."""
+        return (round(self.middle[0] + x * self.scale), round(self.middle[1] - y * self.scale))
+
+    def drag(self, start, by, steps=8):
+        self.window.press(start)
+        for i in range(1, steps + 1):
+            self.window.move((start[0] + by[0] * i // steps, start[1] + by[1] * i // steps))
+            time.sleep(0.05)
+        self.window.release()
+
+    @staticmethod
+    def seen(line, word):
+        """The pixel that a line of the event log says after a word."""
+        words = line.split()
+        check(word in words, f"no '{word}' in '{line}'")
+        return tuple(int(number) for number in words[words.index(word) + (1 if word == "at" else 2)].split(","))
+
+
+def cells(druse, folder, pictures):
+    """A cell from its kind to its solid in its editor, all by the mouse; what is exported is what `druse apply` makes of the history."""
+    main = Window(druse, folder, pictures, [])
+    main.click(BESIDE_THE_MESH)
+    main.keys("F7")
+    main.wait("cell: frame")
+    editor = CellEditor(main)
+
+    main.click(CELL_KIND)
+    run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "^Cell$")
+    time.sleep(1)
+    main.picture("1-kinds")
+    main.keys("Right", "Return")
+    main.wait("cell: applied cell.new")
+    main.wait("cell: frame")
+    main.picture("2-cell")
+
+    pane, side = editor.open_pane(CELL_NEAR)
+    main.wait("cell: frame")
+    main.click(editor.place(0, 0))
+    main.wait("cell: applied cell.point_add")
+    main.click(editor.place(0, 2.5))
+    main.wait("cell: applied cell.point_add")
+    main.keys("c")
+    editor.drag(editor.place(0, 0), (0, round(-2.5 * editor.scale)))
+    main.wait("cell: applied cell.constrain")
+    main.move(CELL_NEAR)
+    main.picture("3-pane")
+
+    main.keys("F3")
+    main.wait("cell: applied cell.shape")
+    main.keys("z")  # the arrow is not seen end on
+    main.click(CELL_NEAR)
+    picked = main.wait(f"cell: selected p{pane}:i0 at ")
+    start, partner, tip = editor.seen(picked, "seen"), editor.seen(picked, "opposite"), editor.seen(picked, "arrow")
+    check(abs(start[0] - CELL_NEAR[0]) <= 1 and partner[0] > 910, f"the point in the middle, and its partner in the second view: {picked}")
+    main.picture("4-shape")
+    editor.drag(((start[0] + tip[0]) // 2, (start[1] + tip[1]) // 2), (0, -40))  # by the arrow
+    main.wait("cell: adjusted cell.move")
+    along = main.wait(f"cell: selected p{pane}:i0 at ")
+    check(editor.seen(along, "seen")[1] < start[1] - 25, f"the point should go up: {picked}, {along}")
+    check(editor.seen(along, "opposite")[1] < partner[1] - 25, f"the opposite pane should follow: {picked}, {along}")
+    editor.drag(editor.seen(along, "seen"), (30, 40))  # by the point itself, in the plane of the pane
+    main.wait("cell: adjusted cell.move")
+    moved = main.wait(f"cell: selected p{pane}:i0 at ")
+    check(editor.seen(moved, "seen")[0] > start[0] + 20, f"the point should go to the right: {along}, {moved}")
+    main.picture("5-moved")
+
+    words = [line for line in main.lines() if line.startswith("cell: skew ")][-1].split()
+    handle = tuple(int(number) for number in words[words.index("zz") + 1].split(","))
+    editor.drag(handle, (8, -20))
+    main.wait("cell: adjusted cell.skew")
+    main.wait("cell: cell fits")
+    main.keys("n")  # the neighbours
+    main.picture("6-skewed")
+    main.keys("ctrl+e")
+    run("timeout", "10", "xdotool", "search", "--sync", "--onlyvisible", "--name", "^Export cell$")
+    time.sleep(0.5)
+    main.picture("7-export")
+    main.keys("Return")
+    main.wait("cell: applied cell.solid")
+    main.wait("took exported cell")
+
+    main.id = editor.main
+    main.wait("frame")
+    main.click(BESIDE_THE_MESH)
+    main.keys("ctrl+e")
+    main.answer_file_dialog("Export", folder / "window.stl", "untitled.stl")
+    main.wait("exported")
+    main.keys("ctrl+shift+s")
+    main.answer_file_dialog("Save as", folder / "history.druse", "untitled.obj")
+    main.wait("saved")
+    main.close()
+
+    steps = (folder / "history.druse").read_text().splitlines()
+    check([line.split()[0] for line in steps] == ["cell." + name for name in ("new", "point_add", "point_add", "constrain", "shape", "move", "move", "skew", "solid")],
+          f"a step for each gesture: {steps}")
+    check(steps[0] == "cell.new cell=fcc size=20" and "along=z" in steps[5] and "plane=" in steps[6], f"the second cell, the arrow and the plane: {steps}")
+    facts = json.loads(run(druse, "info", folder / "history.druse", "--json"))
+    check(facts["watertight"] and facts["genus"] == 0, f"a closed solid: {facts}")
+    run(druse, "apply", "-s", folder / "history.druse", "-o", folder / "terminal.stl", "-o", folder / "cell.tile")
+    check((folder / "window.stl").read_bytes() == (folder / "terminal.stl").read_bytes(), "the exported file is not the one that `druse apply` makes")
+    cell = json.loads((folder / "cell.tile").read_text())
+    m = cell["matrix"]
+    volume = 2000 * (m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]))
+    check(m != [1, 0, 0, 0, 1, 0, 0, 0, 1] and abs(facts["volume"] - volume) < 1e-6 * volume, f"a quarter of 20³, skewed: {facts['volume']}, {m}")
+
+
 def select_again(window, place):
     """Where a point is seen in space that is clicked in the plane."""
     window.click(place)
@@ -939,7 +1070,7 @@ def main():
     scenario, druse, models, pictures = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4]) / sys.argv[1]
     shutil.rmtree(pictures, ignore_errors=True)
     pictures.mkdir(parents=True)
-    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, rinds, sculptures, tiles, tile_edits, tile_replay, replay, sizes)}
+    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, rinds, sculptures, tiles, tile_edits, tile_replay, cells, replay, sizes)}
     with tempfile.TemporaryDirectory() as folder:
         try:
             folder = pathlib.Path(folder).resolve()
