@@ -25,14 +25,13 @@ void CellPlane::session_changed()
     if (scene && session_.document_version() != cell_version_) {
         cell_version_ = session_.document_version();
         const CellTile* held = std::get_if<CellTile>(&*scene->source);
-        const bool is_another = !held || !cell_ || held->cell().kind != cell_->cell().kind || held->size() != cell_->size();
+        const bool is_same_kind = held && cell_ && held->cell().kind == cell_->cell().kind, has_other_size = held && cell_ && held->size() != cell_->size();
         cell_ = held ? std::optional(*held) : std::nullopt;
-        const int pane = shown_pane_.pane;
-        shown_pane_ = cell_ && pane >= 0 && pane < cell_->pane_count() ? ui::shown_pane(*cell_, pane) : ShownPane();
+        shown_pane_ = is_same_kind && shown_pane_.pane >= 0 ? ui::shown_pane(*cell_, shown_pane_.pane) : ShownPane();
         std::erase_if(selected_, [this](const std::string& name) { return std::ranges::find(shown_pane_.points, name, &PanePoint::name) == shown_pane_.points.end(); });
         hovered_.reset();
         if (shown_pane_.pane < 0 || !shown_pane_.is_flat) take_back();
-        if (is_another) frame();
+        if (has_other_size) frame();
         if (pointer_ && gesture_ == Gesture::none && shown_pane_.pane >= 0) hovered_ = hit(*pointer_);
     }
     if (step_) {

@@ -36,7 +36,7 @@ public:
     /// The session's cell; while a command works on it, as it was before.
     const std::optional<CellTile>& cell() const { return cell_; }
     void session_changed() override;
-    /// Shows another pair of panes, or none: −1. Where the cell is another that has none of that number, none is shown.
+    /// Shows another pair of panes, or none: −1. A cell of another kind begins with none.
     void show_pane(int pane);
     int pane() const { return shown_pane_.pane; }
     const ShownPane& shown_pane() const { return shown_pane_; }

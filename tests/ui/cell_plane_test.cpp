@@ -253,9 +253,13 @@ TEST_F(CubePane, NewPlacesAreThoseOfTheGridWhereThatIsAskedFor)
     EXPECT_NEAR(view.cell()->edge_points(1).at(0), 0.5 * (1 + 2 * grid), 1e-12);
 }
 
-TEST_F(CubePane, ShowsNoPaneThatACellHasNot)
+TEST_F(CubePane, ShowsNoPaneOfAnotherKindOfCell)
 {
+    run("cell.new cell=cube size=4");
+    EXPECT_EQ(view.pane(), 0);
+    EXPECT_GT(at(0, 2).y, 0) << "all of it is seen";
     run("cell.new cell=bcc size=4");
+    EXPECT_EQ(view.pane(), -1);
     view.show_pane(6);
     EXPECT_EQ(view.pane(), 6);
     view.show_pane(7);
@@ -290,6 +294,11 @@ TEST_F(CubePane, IsDrawnInColourWhileItIsFlatAndGreyAfterwards)
     EXPECT_EQ(colour(0.3, 1), orbit_colour(0, true));
     EXPECT_EQ(colour(1, 0.3), orbit_colour(1, true));
     EXPECT_EQ(colour(0.3, -1), orbit_colour(0, true)) << "a side and the one across are one orbit";
+    run("cell.point_add pane=0 at=0.5,0.25");
+    const double beside = 6.3 / view.plane().pixels;
+    EXPECT_EQ(colour(0.5 + beside, 0.25), plane_colours(true).tile);
+    view.mark({"p0:i0"}); // picked in space
+    EXPECT_EQ(colour(0.5 + beside, 0.25), plane_colours(true).selected);
     run("cell.shape");
     EXPECT_EQ(colour(0.3, 0.2), plane_colours(true).neighbours[0]);
 }
