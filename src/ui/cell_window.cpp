@@ -88,6 +88,9 @@ CellWindow::CellWindow(const Registry& registry, Preferences& preferences, bool 
         plane_.mark(std::move(names));
         near_.forget_box();
         far_.forget_box();
+        std::set<std::string> names;
+        for (const CellSelection::Pick& pick : selection_.picks()) names.insert(pick.name.text());
+        plane_.mark(std::move(names)); // the same points, in the pane
         redraw_views();
         update_status();
         tell_selection();
@@ -241,8 +244,7 @@ void CellWindow::follow_picture()
     if (!cell()) {
         framed_ = false;
     } else if (!framed_ || is_another) {
-        for (View* view : {&near_, &far_})
-            if (view == &near_ || !link_.is_linked()) view->frame(around(picture_.solid(), view->camera()));
+        frame_views();
         framed_ = true;
         before_pane_.reset();
     }
@@ -291,7 +293,7 @@ std::vector<Fact> CellWindow::cell_facts() const
     list.push_back({"orbits", std::to_string(cell()->point_count()), Tone::plain});
     const auto& found = faults_.found();
     list.push_back({"volume", fmt::format("{:.6g} {}³", found ? found->volume : cell()->volume(), preferences_.unit), Tone::plain});
-    list.push_back({"of space", fmt::format("{:.6g} {}³", cell()->volume(), preferences_.unit), Tone::plain});
+    list.push_back({"lattice cell", fmt::format("{:.6g} {}³", cell()->volume(), preferences_.unit), Tone::plain});
     if (!found) {
         list.push_back({"fits neighbours", "…", Tone::plain});
         return list;
@@ -447,11 +449,24 @@ void CellWindow::set_along(CellTool::Along along)
     bar_.refresh();
 }
 
+/// Cells that come into view are framed, and so is the cell alone when they go.
 void CellWindow::set_neighbours(double shrink)
 {
+    const bool other_cells = (shrink > 0) != (picture_.neighbours() > 0) || (shrink > 0 && shells_.value() + 1 != picture_.shells());
     picture_.set_neighbours(shrink, shells_.value() + 1);
     picture_.follow(cell(), plane_.pane());
+    if (other_cells) frame_views();
     redraw_views();
+}
+
+void CellWindow::frame_views()
+{
+    if (!cell()) return;
+    for (View* view : {&near_, &far_}) {
+        if (view == &far_ && link_.is_linked()) continue;
+        if (shows_mesh() || picture_.neighbours() > 0) view->frame_all();
+        else view->frame(around(picture_.solid(), view->camera()));
+    }
 }
 
 void CellWindow::set_single(bool single)

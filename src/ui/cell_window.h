@@ -75,6 +75,7 @@ private:
     void set_mode(CellTool::Mode mode);
     void set_along(CellTool::Along along);
     void set_neighbours(double shrink);
+    void frame_views();
     void set_single(bool single);
     void export_cell();
 

@@ -44,11 +44,7 @@ void CellWindow::add_view_actions(Actions& list)
                         },
                         [this, what] { return plane_.shown().*what; }});
     };
-    list.push_back({"View/Frame the cell", FL_Home, [this] {
-                        plane_.frame();
-                        near_.frame_all();
-                        if (!link_.is_linked()) far_.frame_all();
-                    }});
+    list.push_back({"View/Frame the cell", FL_Home, [this] { plane_.frame(), frame_views(); }});
     list.push_back({"View/Zoom in", '+', [this] { plane_.zoom(1.25); }});
     list.push_back({.path = "View/Zoom out", .shortcut = '-', .run = [this] { plane_.zoom(0.8); }, .divider = true});
     toggle("View/Triangles", 't', &CellPlane::Shown::triangles);

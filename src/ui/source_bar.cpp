@@ -59,8 +59,15 @@ void SourceBar::arrange()
     const Layout& l = layout();
     fl_font(FL_HELVETICA, l.small_font());
     const int height = l.button_height(), top = y() + (h() - height) / 2;
-    const int pad = w() < l.px(1060) ? l.gap() : l.margin();
-    type_.resize(x() + l.margin(), top, l.px(type_width_), height);
+    // In a narrow window labels have less room around them, and the type has no more than is left.
+    const auto room_for = [&](int pad) {
+        int room = 2 * l.margin() + l.px(type_width_);
+        for (const Item& item : items_) room += static_cast<int>(fl_width(item.button->label())) + 2 * pad + (item.at_end ? 2 * l.gap() : item.apart ? pad + l.gap() : 0);
+        return room;
+    };
+    int pad = l.margin();
+    while (pad > l.px(2) && room_for(pad) > w()) --pad;
+    type_.resize(x() + l.margin(), top, std::clamp(l.px(type_width_) - (room_for(pad) - w()), l.px(70), l.px(type_width_)), height);
     int left = type_.x() + type_.w(), right = x() + w() - l.margin();
     for (const Item& item : items_) {
         const int width = static_cast<int>(fl_width(item.button->label())) + 2 * pad;
