@@ -3,6 +3,7 @@
 #include "geom/sort_unique.h"
 #include "render/palette.h"
 
+#include <algorithm>
 
 namespace druse {
 
@@ -67,6 +68,10 @@ void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColo
         dead > live_triangles_ / 2 + left_over || draw_vertices_.size() > 2 * (live_triangles_ + mesh.vertex_limit()) + left_over;
     const bool much =
         delta.whole || delta.faces.size() + delta.vertices.size() > (mesh.face_limit() + mesh.vertex_limit()) / 4 + 64;
+    if (much && !crowded && is_only_moved(mesh, delta)) {
+        put_places(mesh);
+        if (!is_far_from_origin()) return;
+    }
     if (id_ == 0 || much || crowded || (live_triangles_ == 0 && mesh.face_count() > 0)) {
         std::vector<Face> selection;
         for (const Face f : selected_)
@@ -156,11 +161,46 @@ void DrawLists::update(const Mesh& mesh, const MeshDelta& delta, const GroupColo
     for (const std::uint32_t block : blocks) renew_box(block);
     renew_bounds();
     // Where the model has moved far from what its single precision places are relative to, they are taken anew.
-    if (!bounds_.empty() && glm::distance(origin_, bounds_.center()) > 16 * bounds_.diagonal()) {
+    if (is_far_from_origin()) {
         const std::vector<Face> selection = selected_;
         build(mesh, colours);
         select(selection);
     }
+}
+
+/// Whether there are triangles only, and no others than before: polygons may be cut otherwise when they have moved.
+bool DrawLists::is_only_moved(const Mesh& mesh, const MeshDelta& delta) const
+{
+    if (delta.whole || !(delta.edges.empty() && delta.faces.empty() && delta.regrouped.empty()) || is_divided_ || live_triangles_ == 0) return false;
+    if (mesh.vertex_limit() != positions_.size() || mesh.edge_limit() != edge_ends_.size() || mesh.face_limit() != face_triangles_.size()) return false;
+    return std::ranges::none_of(face_triangles_.view(), [](const Range& range) { return range.count > 1; });
+}
+
+/// Takes the places of all vertices again, and what follows from them.
+void DrawLists::put_places(const Mesh& mesh)
+{
+    new_version();
+    shape_version_ = version_;
+    Point* place = positions_.write(0, positions_.size());
+    for (std::uint32_t v = 0; v < positions_.size(); ++v) place[v] = mesh.position(Vertex(v));
+    DrawVertex* vertices = draw_vertices_.write(0, draw_vertices_.size());
+    for (std::uint32_t i = 0; i < draw_vertices_.size(); ++i) {
+        const Vector p = place[vertex_of_[i]] - origin_;
+        vertices[i].x = float(p.x), vertices[i].y = float(p.y), vertices[i].z = float(p.z);
+    }
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+        if (triangle_face_[t] == none) continue;
+        const auto [a, b, c] = triangles_[t];
+        const Point& from = place[vertex_of_[a]];
+        vertices[c].normal = pack_normal(unit(glm::cross(place[vertex_of_[b]] - from, place[vertex_of_[c]] - from)));
+    }
+    vertex_versions_.assign(vertex_versions_.size(), version_);
+    triangle_versions_.assign(triangle_versions_.size(), version_); // the heights of their sides are made of these
+    edge_sum_ = 0;
+    for (std::uint32_t e = 0; e < edge_ends_.size(); ++e) edge_sum_ += length(Edge(e));
+    mean_edge_ = mesh.edge_count() > 0 ? edge_sum_ / mesh.edge_count() : 0.0;
+    for (std::uint32_t block = 0; block < pick_boxes_.size(); ++block) renew_box(block);
+    renew_bounds();
 }
 
 void DrawLists::paint(Face f, Palette& palette)

@@ -135,7 +135,9 @@ void GpuMesh::copy_sides(const DrawLists& lists)
         const DrawVertex &a = vertices[t[0]], &b = vertices[t[1]];
         return TwoCorners{a.x, a.y, a.z, b.x, b.y, b.z};
     };
-    if (sides_.list != lists.id() || vertices.size() > sides_.capacity) {
+    const auto changed = [&](std::uint64_t version) { return version > sides_.version; };
+    const bool much = 4 * std::ranges::count_if(lists.triangle_versions(), changed) > std::ssize(lists.triangle_versions()); // one by one they would take longer
+    if (sides_.list != lists.id() || vertices.size() > sides_.capacity || much) {
         std::vector<TwoCorners> all(vertices.size());
         for (const DrawLists::Triangle& t : lists.triangles())
             if (t[0] != t[2]) all[t[2]] = others(t);

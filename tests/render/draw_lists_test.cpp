@@ -249,6 +249,42 @@ TEST(DrawLists, FollowALocalEditByTouchingAFewBlocksOnly)
         EXPECT_LE(std::count_if(versions.begin(), versions.end(), [&](std::uint64_t v) { return v > before; }), 8);
 }
 
+TEST(DrawLists, FollowMovesOfAllVerticesAsIfDrawnAnew)
+{
+    Studio studio;
+    for (const bool triangles : {true, false}) {
+        Mesh mesh = torus(20, 10);
+        if (triangles)
+            for (std::uint32_t f = 0; f < 200; ++f) mesh.insert_edge(mesh.corner(Face(f)), mesh.corner(Face(f), 2));
+        mesh.compact();
+        DrawLists lists(mesh, by_group);
+        lists.select(std::vector{Face(3)});
+        Style style;
+        style.edge_method = Style::EdgeMethod::surface;
+        const Camera camera = camera_at(lists, "iso");
+        studio.picture(lists, camera, style); // is on the card as it was before
+        const std::uint64_t id = lists.id(), shape = lists.shape_version();
+        MeshDelta delta;
+        for (const Vertex v : mesh.vertices()) {
+            const Point p = mesh.position(v);
+            mesh.set_position(v, {1.5 * p.x + 0.3 * p.y, p.y, p.z + 0.4 * p.x * p.y});
+            delta.vertices.push_back(v);
+        }
+        lists.update(mesh, delta, by_group);
+        expect_same(lists, mesh, by_group);
+        EXPECT_NEAR(lists.mean_edge_length(), DrawLists(mesh, by_group).mean_edge_length(), 1e-12);
+        EXPECT_EQ(lists.id() == id, triangles) << "polygons may have to be cut otherwise";
+        EXPECT_GT(lists.shape_version(), shape);
+        DrawLists anew(mesh, by_group);
+        anew.select(std::vector{Face(3)});
+        EXPECT_EQ(pixels_apart(studio.picture(lists, camera, style), studio.picture(anew, camera, style), 2), 0);
+        for (const Vertex v : mesh.vertices()) mesh.set_position(v, mesh.position(v) + Vector(1e6, 0, 0));
+        lists.update(mesh, delta, by_group);
+        EXPECT_LT(glm::distance(lists.origin(), lists.bounds().center()), 10); // single precision would not do
+        EXPECT_TRUE(lists.is_selected(Face(3)));
+    }
+}
+
 TEST(DrawLists, DoNotGrowWhileASliderIsDragged)
 {
     Mesh mesh = torus(60, 40);
