@@ -83,9 +83,6 @@ CellWindow::CellWindow(const Registry& registry, Preferences& preferences, bool 
 
     selection_.on_change = [this] {
         pass_selection();
-        std::set<std::string> names;
-        for (const CellSelection::Pick& pick : selection_.picks()) names.insert(pick.name.text());
-        plane_.mark(std::move(names));
         near_.forget_box();
         far_.forget_box();
         std::set<std::string> names;
