@@ -393,7 +393,7 @@ std::string CellTool::hint() const
     if (mode_ == Mode::split) return "click a triangle or an edge to split it, and its partner on the far pane";
     if (mode_ == Mode::flip) return "click an edge between two triangles to turn it into the other diagonal";
     if (selection_.empty()) return "click or Shift-click points, B and a drag boxes them; double click a triangle or edge to split it; right click a pane to edit it";
-    if (const auto ends = arrow(); ends && is_end_on(*ends)) return "the arrow is seen end on: drag beside the points to turn the view, or choose another direction; drag a point to move it in its pane";
+    if (const auto ends = arrow(); ends && is_end_on(*ends)) return "the arrow is seen end on: drag beside the points to turn the view; drag a point to move it in its pane";
     return "drag the red arrow to move along it, a point to move in its pane; drag beside them turns the view";
 }
 
