@@ -10,8 +10,8 @@ namespace druse {
 ///
 /// Corners at exactly the same place in single precision become one vertex. If all base materials used are called `group_<id>`, with the name of the
 /// group behind a blank, they are the groups; otherwise triangles of one colour are one group, and a triangle of several colours has that of its first
-/// corner. Textures, slices, beams and thumbnails are passed over. Cost: linear in the triangles that are placed; the file and what it holds are in memory at once.
-/// @throws InputError where the file is none, unpacks to more than it may, or places more than 2^28 corners
+/// corner. Textures, slices and beams are passed over. Cost: linear in the triangles that are placed; the file and what it holds are in memory at once.
+/// @throws InputError where the file is none, unpacks to more than 2^30 bytes, or places more than 2^28 corners or 2^20 objects
 Model read_3mf(ByteSource& source);
 
 /// Writes one object in millimetres, with a base material `group_<id> NAME` for each group.

@@ -8,9 +8,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
+#include <string>
 #include <vector>
 
 namespace druse {
@@ -27,12 +28,14 @@ public:
 private:
     void make_model();
     std::vector<NMR::MODELMESHVERTEX> places() const;
-    std::vector<NMR::MODELMESHTRIANGLE> corners(const std::vector<NMR::MODELMESHVERTEX>& places);
+    void take_triangles(const std::vector<NMR::MODELMESHVERTEX>& places);
     void paint(ThreeMfObject object);
 
     const GroupTable& table_;
     OutputFiles& out_;
     IndexedTriangles triangles_;
+    std::vector<NMR::MODELMESHTRIANGLE> corners_; // those that are saved
+    std::vector<DWORD> parts_;                    // which part of the triangles each is of
     ThreeMfHandle model_;
 };
 
@@ -52,23 +55,31 @@ std::vector<NMR::MODELMESHVERTEX> ThreeMfWriter::places() const
     return places;
 }
 
-/// Triangles keep their neighbours by number, so that none is left out; but a model may be too small for the step.
-std::vector<NMR::MODELMESHTRIANGLE> ThreeMfWriter::corners(const std::vector<NMR::MODELMESHVERTEX>& places)
+/// Triangles that have one point twice are left out: what lies along their sides is then joined without them. Others keep their neighbours by number, but
+/// a model may be too small for the step.
+void ThreeMfWriter::take_triangles(const std::vector<NMR::MODELMESHVERTEX>& places)
 {
-    std::vector<NMR::MODELMESHTRIANGLE> corners(triangles_.count());
+    corners_.resize(triangles_.count());
     static_assert(sizeof(NMR::MODELMESHTRIANGLE) == sizeof(IndexedTriangles::Triangle));
-    triangles_.put(reinterpret_cast<unsigned char*>(corners.data()));
+    triangles_.put(reinterpret_cast<unsigned char*>(corners_.data()));
+    for (std::size_t part = 0; part < triangles_.part_count(); ++part) parts_.resize(triangles_.end(part), static_cast<DWORD>(part));
+    std::size_t kept = 0;
     std::uint64_t flat = 0;
-    for (const NMR::MODELMESHTRIANGLE& t : corners) {
-        const auto same = [&](int a, int b) {
-            const float *p = places[t.m_nIndices[a]].m_fPosition, *q = places[t.m_nIndices[b]].m_fPosition;
-            return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
-        };
-        flat += same(0, 1) || same(1, 2) || same(2, 0);
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        const auto& [a, b, c] = corners_[i].m_nIndices;
+        if (a == b || b == c || c == a) continue;
+        const auto same = [&](DWORD p, DWORD q) { return std::ranges::equal(places[p].m_fPosition, places[q].m_fPosition); };
+        flat += same(a, b) || same(b, c) || same(c, a);
+        corners_[kept] = corners_[i];
+        parts_[kept++] = parts_[i];
     }
-    if (flat == corners.size()) throw InputError(out_.name(), fmt::format("no triangle has an area in steps of {} mm, those of 3MF", threemf_step));
-    if (flat > 0) out_.note(fmt::format("{} in steps of {} mm, those of 3MF", flat == 1 ? "1 triangle has corners at one place" : fmt::format("{} triangles have corners at one place", flat), threemf_step));
-    return corners;
+    const std::uint64_t left_out = corners_.size() - kept;
+    corners_.resize(kept);
+    parts_.resize(kept);
+    if (flat == kept) throw InputError(out_.name(), fmt::format("no triangle has an area in steps of {} mm, those of 3MF", threemf_step));
+    const auto counted = [](std::uint64_t n) { return n == 1 ? std::string("1 triangle has") : fmt::format("{} triangles have", n); };
+    if (left_out > 0) out_.note(fmt::format("{} a vertex twice: not saved in 3MF", counted(left_out)));
+    if (flat > 0) out_.note(fmt::format("{} corners at one place in steps of {} mm, those of 3MF", counted(flat), threemf_step));
 }
 
 void ThreeMfWriter::paint(ThreeMfObject object)
@@ -78,16 +89,16 @@ void ThreeMfWriter::paint(ThreeMfObject object)
     require_3mf(model_, NMR::lib3mf_model_addbasematerialgroup(model_, materials.out()));
     DWORD id = 0;
     require_3mf(materials, NMR::lib3mf_basematerial_getresourceid(materials, &id));
-    std::vector<DWORD> ids(triangles_.count(), id), indices(triangles_.count());
+    std::vector<DWORD> materials_of_parts(triangles_.part_count());
     for (std::size_t part = 0; part < triangles_.part_count(); ++part) {
         const int group = triangles_.groups()[part];
         const Colour c = table_.colour(group);
         std::string name = material_of_group(group);
         if (!table_.name(group).empty()) name += " " + table_.name(group);
-        DWORD index = 0;
-        require_3mf(materials, NMR::lib3mf_basematerial_addmaterialutf8(materials, name.c_str(), c.red, c.green, c.blue, &index));
-        std::fill(indices.begin() + static_cast<std::ptrdiff_t>(triangles_.begin(part)), indices.begin() + static_cast<std::ptrdiff_t>(triangles_.end(part)), index);
+        require_3mf(materials, NMR::lib3mf_basematerial_addmaterialutf8(materials, name.c_str(), c.red, c.green, c.blue, &materials_of_parts[part]));
     }
+    std::vector<DWORD> ids(corners_.size(), id), indices(corners_.size());
+    std::ranges::transform(parts_, indices.begin(), [&](DWORD part) { return materials_of_parts[part]; });
     ThreeMfHandle whole, each;
     require_3mf(object, NMR::lib3mf_object_createdefaultpropertyhandler(object, whole.out()));
     require_3mf(whole, NMR::lib3mf_defaultpropertyhandler_setbasematerial(whole, id, indices.front()));
@@ -99,12 +110,12 @@ void ThreeMfWriter::paint(ThreeMfObject object)
 void ThreeMfWriter::make_model()
 {
     auto at = places();
-    auto triangles = corners(at);
+    take_triangles(at);
     require_3mf(nullptr, NMR::lib3mf_createmodel(model_.out()));
     require_3mf(model_, NMR::lib3mf_model_setunit(model_, NMR::MODELUNIT_MILLIMETER));
     ThreeMfHandle object, item;
     require_3mf(model_, NMR::lib3mf_model_addmeshobject(model_, object.out()));
-    require_3mf(object, NMR::lib3mf_meshobject_setgeometry(object, at.data(), static_cast<DWORD>(at.size()), triangles.data(), static_cast<DWORD>(triangles.size())));
+    require_3mf(object, NMR::lib3mf_meshobject_setgeometry(object, at.data(), static_cast<DWORD>(at.size()), corners_.data(), static_cast<DWORD>(corners_.size())));
     paint(object);
     require_3mf(model_, NMR::lib3mf_model_addbuilditem(model_, object, nullptr, item.out()));
     require_3mf(object, NMR::lib3mf_object_setuuidutf8(object, "5a3f7b0c-0000-4000-8000-000000000001"));
