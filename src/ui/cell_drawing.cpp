@@ -31,7 +31,7 @@ public:
         draw_ground();
         if (view_.shown().grid) draw_grid(dark_ ? 0.35 : 1);
         if (view_.shown().triangles) draw_triangles();
-        for (const ShownPane::Line& line : pane_.lines) draw_constraint(place(line.ends[0]), place(line.ends[1]));
+        for (const ShownPane::Line& line : pane_.lines) draw_constraint(place(line.ends[0]), place(line.ends[1]), pane_.is_flat ? colours_.segment : colours_.line);
         draw_sides();
         draw_line_under_pointer();
         draw_handles();

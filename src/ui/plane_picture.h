@@ -35,7 +35,7 @@ protected:
     Point2 at(const Point2& p) const { return plane_.picture(p); }
     /// `weight`: of its lines, 1 on the empty plane.
     void draw_grid(double weight = 1);
-    void draw_constraint(const Point2& a, const Point2& b) { painter_.line(at(a), at(b), 2.2 * scale_, colours_.segment); }
+    void draw_constraint(const Point2& a, const Point2& b, Colour colour) { painter_.line(at(a), at(b), 2.2 * scale_, colour); }
     void draw_triangle_edge(const Point2& a, const Point2& b, Colour colour) { painter_.line(at(a), at(b), scale_, colour, 0.65); }
     void draw_handle(const Point2& p, double radius, HandleMark mark, Colour colour);
     /// One of a point inside.

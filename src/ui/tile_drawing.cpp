@@ -117,7 +117,7 @@ private:
                         draw_triangle_edge(tile_.points[std::size_t(a)].at, tile_.points[std::size_t(b)].at, colours_.triangle);
                 }
         for (const auto& s : tile_.segments)
-            draw_constraint(tile_.points[std::size_t(s[0])].at, tile_.points[std::size_t(s[1])].at);
+            draw_constraint(tile_.points[std::size_t(s[0])].at, tile_.points[std::size_t(s[1])].at, colours_.segment);
         painter_.lines(points, true, 2.2 * scale_, colours_.line);
     }
 
