@@ -89,19 +89,21 @@ void CellTool::add_points(Overlay& overlay) const
 
     const std::vector<bool> facing = picture_.facing(camera_);
     const bool looks = count * picture_.lists().pick_boxes().size() < most_cell_looks;
-    for (std::uint32_t v = 0; v < count; ++v) {
-        const OrbitMember member = *picture_.orbit_of(Vertex(v));
-        const bool is_marked = marked[static_cast<std::size_t>(member.orbit)];
-        if (!is_marked && count > most_cell_dots) continue;
-        const bool is_before = facing[v] && !(looks && is_hidden(place(Vertex(v))));
-        if (is_marked) {
-            add_cell_dot(overlay, place(Vertex(v)), picked[v] ? picked_colour : partner_colour, 11, is_before ? 1 : hidden_opacity);
-        } else if (is_before) {
+    // What is behind comes first, so that nothing before it is covered by it.
+    for (const bool front : {false, true})
+        for (std::uint32_t v = 0; v < count; ++v) {
+            const OrbitMember member = *picture_.orbit_of(Vertex(v));
+            const bool is_marked = marked[static_cast<std::size_t>(member.orbit)];
+            if (!is_marked && (!front || count > most_cell_dots)) continue;
+            if (const bool is_before = facing[v] && !(looks && is_hidden(place(Vertex(v)))); is_before != front) continue;
+            if (is_marked) {
+                add_cell_dot(overlay, place(Vertex(v)), picked[v] ? picked_colour : partner_colour, 11, front ? 1 : hidden_opacity);
+                continue;
+            }
             const CellPointName name = cell.name(member.orbit);
             const bool is_corner = name.kind == CellPointName::Kind::corner, is_edge = name.kind == CellPointName::Kind::edge;
             add_cell_dot(overlay, place(Vertex(v)), is_corner ? corner_colour(name.index, true) : is_edge ? orbit_colour(name.line, true) : point_colour, 6, 1);
         }
-    }
 }
 
 void CellTool::add_arrow(Overlay& overlay) const
