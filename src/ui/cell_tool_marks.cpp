@@ -87,15 +87,19 @@ void CellTool::add_points(Overlay& overlay) const
         for (const PanePoint& point : plane_.shown_pane().points)
             if (plane_.selected().contains(point.name)) mark(point.orbit);
 
+    std::size_t marked_places = 0;
+    for (int orbit = 0; orbit < cell.point_count(); ++orbit)
+        if (marked[static_cast<std::size_t>(orbit)]) marked_places += cell.members(orbit).size();
     const std::vector<bool> facing = picture_.facing(camera_);
-    const bool looks = count * picture_.lists().pick_boxes().size() < most_cell_looks;
+    const auto may_look = [&](std::size_t places) { return places * picture_.lists().pick_boxes().size() < most_cell_looks; };
+    const bool looks = may_look(count), looks_at_marked = may_look(marked_places);
     // What is behind comes first, so that nothing before it is covered by it.
     for (const bool front : {false, true})
         for (std::uint32_t v = 0; v < count; ++v) {
             const OrbitMember member = *picture_.orbit_of(Vertex(v));
             const bool is_marked = marked[static_cast<std::size_t>(member.orbit)];
             if (!is_marked && (!front || count > most_cell_dots)) continue;
-            if (const bool is_before = facing[v] && !(looks && is_hidden(place(Vertex(v)))); is_before != front) continue;
+            if (const bool is_before = facing[v] && !((is_marked ? looks_at_marked : looks) && is_hidden(place(Vertex(v)))); is_before != front) continue;
             if (is_marked) {
                 add_cell_dot(overlay, place(Vertex(v)), picked[v] ? picked_colour : partner_colour, 11, front ? 1 : hidden_opacity);
                 continue;
