@@ -427,7 +427,7 @@ void CellWindow::go_to_shape()
     if (!has_cell()) return;
     bool some_flat = false;
     for (int pane = 0; pane < cell()->pane_count(); ++pane) some_flat = some_flat || cell()->is_flat(pane);
-    if (some_flat) session_.run_chosen("cell.shape");
+    if (some_flat) session_.run("cell.shape");
 }
 
 void CellWindow::set_mode(CellTool::Mode mode)

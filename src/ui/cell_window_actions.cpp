@@ -14,7 +14,7 @@ Actions CellWindow::make_actions()
     list.push_back({.path = "Edit/Constrain by a drag", .shortcut = 'c', .run = [this] { plane_.start_constraint(), update_hint(); }, .divider = true});
     list.push_back({"Edit/Select by a box", 'b', [this] { plane_.start_box(), near_.start_box_select(), far_.start_box_select(), update_hint(); }});
     list.push_back({"Edit/Select none", 0, [this] { plane_.select({}), selection_.clear(); }});
-    list.push_back({"Cell/Phase 1: panes", FL_F + 2, [this] { go_to_panes(); }, [this] { return cell() && is_pane_flat(); }});
+    list.push_back({"Cell/Phase 1: panes…", FL_F + 2, [this] { go_to_panes(); }, [this] { return cell() && is_pane_flat(); }});
     list.push_back({"Cell/Phase 2: shape", FL_F + 3, [this] { go_to_shape(); }, [this] { return cell() && !is_pane_flat(); }});
     list.push_back({"Cell/Next pane", ']', [this] { step_pane(1); }});
     list.push_back({"Cell/Previous pane", '[', [this] { step_pane(-1); }});
@@ -78,7 +78,7 @@ void CellWindow::add_view_actions(Actions& list)
 void CellWindow::make_bar()
 {
     bar_.on_type = [this] { choose_kind(); };
-    bar_.add_button("1 Panes", "The pane that is shown is flat: points and lines are edited on the left (F2)", [this] { go_to_panes(); }, [this] { return cell() && is_pane_flat(); }, true);
+    bar_.add_button("1 Panes…", "The pane that is shown is flat: points and lines are edited on the left (F2)", [this] { go_to_panes(); }, [this] { return cell() && is_pane_flat(); }, true);
     bar_.add_button("2 Shape", "Points move in space (F3)", [this] { go_to_shape(); }, [this] { return cell() && !is_pane_flat(); });
     const auto mode = [this](const char* label, const char* tip, CellTool::Mode kind, bool apart) {
         bar_.add_button(label, tip, [this, kind] { set_mode(kind); }, [this, kind] { return near_tool_ && near_tool_->mode() == kind; }, apart);

@@ -95,7 +95,7 @@ void Recorder::write(EditorWindow& window, const std::string& line)
 int Recorder::dispatch(int event, Fl_Window* to)
 {
     // What goes to menus and dialogs is theirs.
-    if (to && !Fl::grab()) {
+    if (to && !Fl::grab() && !Fl::modal()) {
         const auto look = [&](EditorWindow& window) {
             if (to == &window || to->window() == &window) only_->record(event, window);
         };

@@ -921,8 +921,8 @@ class CellEditor:
 
 
 def cells(druse, folder, pictures):
-    """A cell from its kind to its solid in its editor, all by the mouse; what is exported is what `druse apply` makes of the history."""
-    main = Window(druse, folder, pictures, [])
+    """A cell from its kind to its solid in its editor, all by the mouse; what is exported is what `druse apply` makes of the history, and what the recording does again."""
+    main = Window(druse, folder, pictures, ["--record", folder / "recording.txt"])
     main.click(BESIDE_THE_MESH)
     main.keys("F7")
     main.wait("cell: frame")
@@ -1006,6 +1006,13 @@ def cells(druse, folder, pictures):
     m = cell["matrix"]
     volume = 2000 * (m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]))
     check(m != [1, 0, 0, 0, 1, 0, 0, 0, 1] and abs(facts["volume"] - volume) < 1e-6 * volume, f"a quarter of 20³, skewed: {facts['volume']}, {m}")
+
+    recording = (folder / "recording.txt").read_text()
+    check("cell: run cell.new" in recording and "cell: push" in recording and "cell: hand over" in recording, f"too little was recorded:\n{recording}")
+    (folder / "again.txt").write_text(recording.replace("window.stl", "again.stl") + "cell: quit\nquit\n")
+    subprocess.run([str(druse), "--test", "--geometry", "1280x800+0+0", "--replay", str(folder / "again.txt")],
+                   check=True, timeout=60, cwd=folder, env=dict(os.environ, HOME=str(folder)))
+    check((folder / "again.stl").read_bytes() == (folder / "window.stl").read_bytes(), "the recording makes another cell")
 
 
 def select_again(window, place):
