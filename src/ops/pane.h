@@ -12,6 +12,8 @@ const Pane& pane_of(const Scene& scene);
 
 /// Says what an edit did that a caller could not know: points that became one, crossings, what was there already.
 void tell(const Pane& pane, Context& context);
+/// Says what a refinement could not do.
+void tell(const Pane::Refined& refined, Context& context);
 
 /// Runs f(pane) as one edit of the pane that a document holds. @throws PaneRefusal; CommandError if it holds none
 template <class F>

@@ -38,11 +38,9 @@ struct PaneRefine {
 void run_refine(Scene& scene, const PaneRefine& p, Context& context)
 {
     Pane::Refined refined;
-    edit_pane(scene, context, [&](Pane& pane) { refined = pane.refine({p.min_angle.degrees, p.max_area, p.boundary == RefinedBoundary::split}); });
-    if (!refined.complete) context.note(fmt::format("stopped at {} new points, fifty for each old one", refined.made));
-    if (refined.falling_short > 0)
-        context.note(fmt::format("{} triangle{} still fall{} short of what was asked for", refined.falling_short, refined.falling_short == 1 ? "" : "s",
-                                 refined.falling_short == 1 ? "s" : ""));
+    const bool split = p.boundary == RefinedBoundary::split;
+    edit_pane(scene, context, [&](Pane& pane) { refined = pane.refine({p.min_angle.degrees, p.max_area, split}, &context.progress); });
+    tell(refined, context);
 }
 
 struct PaneSpread {
@@ -51,12 +49,21 @@ struct PaneSpread {
 
 } // namespace
 
+void tell(const Pane::Refined& refined, Context& context)
+{
+    if (!refined.complete) context.note(fmt::format("stopped at {} new points, as many as are allowed", refined.made));
+    if (refined.falling_short == 0) return;
+    const std::string larger = refined.too_large == 0 ? "" : fmt::format("; {} of them larger", refined.too_large);
+    context.note(fmt::format("{} triangle{} still fall{} short of what was asked for{}", refined.falling_short, refined.falling_short == 1 ? "" : "s",
+                             refined.falling_short == 1 ? "s" : "", larger));
+}
+
 Operator pane_refine_operator()
 {
     using P = PaneRefine;
     return define<P>("pane.refine", "Add points to the pane until its triangles have no small angles")
         .param(&P::min_angle, "min_angle", Unit::degrees, {0, 30}, "the least angle; beyond 20.7 it may take too many points, which is said")
-        .param(&P::max_area, "max_area", Unit::area, above(0), "the largest area of a triangle")
+        .param(&P::max_area, "max_area", Unit::area, above(0), "the largest area of a triangle, also beside a boundary that is kept")
         .param(&P::boundary, "boundary", words({"keep", "split"}), "whether edges of the boundary may be split; if not, angles beside it may stay small")
         .keeps_euler()
         .example("pane.refine min_angle=25 boundary=split")

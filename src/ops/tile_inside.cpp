@@ -1,8 +1,7 @@
 // Operators on points and segments inside a tile.
+#include "ops/pane.h"
 #include "ops/tile.h"
 #include "ops/tile_parameters.h"
-
-#include <fmt/format.h>
 
 #include <array>
 #include <optional>
@@ -46,10 +45,8 @@ struct TileRefine {
 void run_tile_refine(Scene& scene, const TileRefine& p, Context& context)
 {
     Pane::Refined refined;
-    edit_tile(scene, context, [&](LayeredTile& tile) { refined = tile.refine({p.min_angle, p.max_area, false}); });
-    if (!refined.complete) context.note(fmt::format("stopped at {} new points, fifty for each old one", refined.made));
-    if (refined.falling_short > 0)
-        context.note(fmt::format("{} still short of what was asked for", refined.falling_short == 1 ? "1 triangle falls" : fmt::format("{} triangles fall", refined.falling_short)));
+    edit_tile(scene, context, [&](LayeredTile& tile) { refined = tile.refine({p.min_angle, p.max_area, false}, &context.progress); });
+    tell(refined, context);
 }
 
 Definition<TileSegment> segment_definition(std::string_view name, std::string_view help)
@@ -119,7 +116,7 @@ Operator tile_refine_operator()
 {
     return define<TileRefine>("tile.refine", "Add points inside the tile until its triangles have no small angles")
         .param(&TileRefine::min_angle, "min_angle", Unit::degrees, {0, 30}, "the least angle; beyond 20.7 it may take too many points, which is said")
-        .param(&TileRefine::max_area, "max_area", Unit::area, above(0), "the largest area of a triangle")
+        .param(&TileRefine::max_area, "max_area", Unit::area, above(0), "the largest area of a triangle, also beside the outline, which is kept")
         .keeps_euler()
         .example("tile.refine min_angle=25")
         .cites("Ruppert 1995; Shewchuk 2002")

@@ -59,8 +59,10 @@ std::vector<int> TilePoints::resolve(const LayeredTile& tile, const Selection& s
         else if (word == "outline") add(0, tile.outline_count());
         else if (word == "interior") add(tile.outline_count(), tile.point_count());
         else if (word == "selected") {
+            const std::size_t before = points.size();
             for (const Vertex v : selection.vertices)
                 if (v.index < static_cast<std::uint32_t>(tile.point_count())) points.push_back(static_cast<int>(v.index));
+            if (points.size() == before) throw CommandError("points=selected: no points of the tile are selected");
         } else {
             points.push_back(tile.find(PointName::parse(word)));
         }

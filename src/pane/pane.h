@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dlfl/errors.h"
+#include "geom/progress.h"
 #include "pane/triangulation.h"
 
 #include <cstdint>
@@ -146,12 +147,15 @@ public:
     struct Refined {
         std::size_t made = 0;          // points
         std::size_t falling_short = 0; // triangles whose smallest angle is still less, or whose area more
-        bool complete = true;          // false: 50 new points for each old one did not do
+        std::size_t too_large = 0;     // those of them whose area is more
+        bool complete = true;          // false: so many points did not do as were allowed
     };
+    static constexpr std::size_t most_refined = 1'000'000; // points that one refinement may make
     /// Adds points until no angle is smaller than asked for, but those that lines of the pane make: Ruppert's method, with Shewchuk's shells of lengths
-    /// about sharp corners. Refused: angle-too-large.
+    /// about sharp corners. Areas are brought down beside edges that may not be split too, where the angles stay small. Of points it makes fifty for each that was there, and
+    /// what the areas take beside. Refused: angle-too-large; range, where the areas take more than most_refined. @throws Cancelled through `progress`
+    Refined refine(const Refinement& refinement, Progress* progress = nullptr);
     Refined refine() { return refine(Refinement()); }
-    Refined refine(const Refinement& refinement);
     /// Removes the points of the last refinement that are still there and free.
     void unrefine();
     /// Moves each interior point that nothing holds towards the middle of what is nearest to it, `rounds` times.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <numbers>
 
 namespace druse {
@@ -38,13 +39,26 @@ Index first_out(const Triangulation& t, Index v)
 } // namespace
 
 /// One refinement of a pane. Edges that a point lies too near to (within the circle on them) are halved first; then bad triangles get a point at the centre
-/// of their circle, unless that would come too near to such an edge: then that is halved instead.
+/// of their circle, unless that would come too near to such an edge: then that is halved instead. Edges that may not be split are walls. What is too large
+/// beside one gets a point as near to that centre as the wall allows, once nothing else is left to do.
+///
+/// Ends: a centre is at least as far from all that it sees as the shortest side of a bad triangle is long, and farther than 0.87 √max_area where that is too
+/// large; points before walls are never nearer than `weld`, and there is a number that all stop at.
 class Refiner {
 public:
-    Refiner(Pane& pane, const Pane::Refinement& asked)
-        : pane_(pane), t_(pane.triangulation_), asked_(asked), most_(50 * pane.state_.points)
+    Refiner(Pane& pane, const Pane::Refinement& asked, Progress* progress)
+        : pane_(pane), t_(pane.triangulation_), asked_(asked), progress_(progress), sine_(std::sin(asked.min_angle * (std::numbers::pi / 180)))
     {
-        sine_ = std::sin(asked.min_angle * (std::numbers::pi / 180));
+        doubled_most_ = asked.max_area ? 2 * *asked.max_area : std::numeric_limits<double>::infinity();
+        double doubled = 0; // the area of the pane
+        for (Index h = 0; h < t_.side_end(); h += 4)
+            if (t_.is_face(h) && t_.is_inside(h)) doubled += doubled_area(h);
+        const double pieces = doubled / doubled_most_; // that the largest triangles allowed would be
+        if (const double least = (pieces - double(pane.triangle_count())) / 2; !(least <= double(Pane::most_refined)))
+            pane.refuse(Pane::Reason::range, fmt::format("max_area={}: it takes {:.3g} points and more, and {} are the most; expected {:.3g} or above", *asked.max_area, least,
+                                                         Pane::most_refined, doubled / 2 / (2 * double(Pane::most_refined) + double(pane.triangle_count()))));
+        most_ = std::min(Pane::most_refined, 50 * pane.state_.points + static_cast<std::size_t>(8 * pieces));
+        expected_ = asked.max_area ? pieces : double(most_);
     }
 
     Pane::Refined run()
@@ -59,30 +73,41 @@ public:
             return p != q ? is_before(p, q) : is_before(at(t_.target(f)), at(t_.target(g))); // two faces at a corner have other next ones
         });
         for (const Index h : faces) look_at(h);
-        while (result_.complete) {
+        for (std::size_t steps = 0; result_.complete; ++steps) {
             if (!edges_.empty()) {
                 const auto [u, v] = edges_.front();
                 edges_.pop_front();
                 const Index h = t_.find_side(u, v);
                 if (h != Pane::none && is_crowded(h)) halve(h);
             } else if (!triangles_.empty()) {
-                const auto [a, b, c] = triangles_.front();
-                triangles_.pop_front();
-                const Index h = t_.find_side(a, b);
-                if (h != Pane::none && t_.apex(h) == c && is_bad(h)) mend(h);
+                take(triangles_, false);
+            } else if (!walled_.empty()) {
+                take(walled_, true);
             } else {
                 break;
             }
-            if (result_.made >= most_) result_.complete = edges_.empty() && triangles_.empty();
+            if (result_.made >= most_) result_.complete = edges_.empty() && triangles_.empty() && walled_.empty();
+            if (progress_ && steps % 256 == 0) progress_->step(std::min(1.0, double(result_.made) / expected_));
         }
         pane_.settle();
-        for (Index h = 0; h < t_.side_end(); h += 4) result_.falling_short += t_.is_face(h) && t_.is_inside(h) && falls_short(h) != Pane::none;
+        for (Index h = 0; h < t_.side_end(); h += 4) {
+            if (!t_.is_face(h) || !t_.is_inside(h) || falls_short(h) == Pane::none) continue;
+            ++result_.falling_short;
+            result_.too_large += is_large(h);
+        }
         return result_;
     }
 
 private:
+    using Corners = std::array<Index, 3>; // of a triangle, from its first side on
+
     const Point2& at(Index v) const { return t_.position(v); }
     static double square(const Point2& d) { return glm::dot(d, d); }
+    static double cross(const Point2& u, const Point2& w) { return u.x * w.y - u.y * w.x; }
+    /// Of the triangle of a side and a place to its left.
+    double doubled_area(Index h, const Point2& p) const { return cross(at(t_.target(h)) - at(t_.origin(h)), p - at(t_.origin(h))); }
+    double doubled_area(Index face) const { return doubled_area(face, at(t_.apex(face))); }
+    bool is_large(Index face) const { return doubled_area(face) > doubled_most_; }
 
     /// May the edge be split at all?
     bool is_splittable(Index h) const
@@ -103,22 +128,33 @@ private:
         return false;
     }
 
+    /// Would a point there leave an edge that may not be split with an angle too small, and with no way to mend it? For the sake of area, only one so near
+    /// that another does more.
+    bool is_too_near_wall(Index h, const Point2& p, bool large) const
+    {
+        if (!sees_within_circle(h, p)) return false;
+        const double doubled = doubled_area(h, p);
+        if (large) return doubled < doubled_most_ / 4;
+        const Point2 &a = at(t_.origin(h)), &b = at(t_.target(h));
+        return doubled < sine_ * glm::length(b - a) * std::max(glm::length(p - a), glm::length(p - b));
+    }
+
     /// The shortest side, if the angle opposite to it is too small or the area too large; else none.
     Index falls_short(Index face) const
     {
-        std::array<std::pair<double, Index>, 3> sides;
-        Index h = first_side(t_, face);
-        for (auto& side : sides) {
-            side = {glm::length(at(t_.origin(h)) - at(t_.target(h))), h};
-            h = Triangulation::next(h);
+        Index h = first_side(t_, face), least = h;
+        std::array<double, 3> lengths;
+        std::size_t shortest = 0;
+        for (std::size_t i = 0; i < 3; ++i, h = Triangulation::next(h)) {
+            lengths[i] = glm::length(at(t_.origin(h)) - at(t_.target(h)));
+            if (lengths[i] >= lengths[shortest]) continue;
+            shortest = i;
+            least = h;
         }
-        std::stable_sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-        const Index least = sides[0].second;
-        const Point2 u = at(t_.target(least)) - at(t_.origin(least)), w = at(t_.apex(least)) - at(t_.origin(least));
-        const double doubled = u.x * w.y - u.y * w.x;
         // The sine of the smallest angle is twice the area by the two longer sides.
-        const bool small_angle = doubled / sides[2].first / sides[1].first < sine_;
-        return small_angle || (asked_.max_area && doubled > 2 * *asked_.max_area) ? least : Pane::none;
+        const double doubled = doubled_area(least);
+        const bool small_angle = doubled / lengths[(shortest + 1) % 3] / lengths[(shortest + 2) % 3] < sine_;
+        return small_angle || doubled > doubled_most_ ? least : Pane::none;
     }
 
     /// An angle between two lines of the pane stays as it is, and so does what the halving of both at one distance from it makes.
@@ -126,8 +162,7 @@ private:
     {
         const Index least = falls_short(face);
         if (least == Pane::none || !t_.is_inside(face)) return false;
-        const Point2 u = at(t_.target(least)) - at(t_.origin(least)), w = at(t_.apex(least)) - at(t_.origin(least));
-        if (asked_.max_area && u.x * w.y - u.y * w.x > 2 * *asked_.max_area) return true;
+        if (is_large(least)) return true;
         if (t_.is_fixed(Triangulation::next(least)) && t_.is_fixed(Triangulation::previous(least))) return false;
         const Index a = t_.origin(least), b = t_.target(least);
         return !(a < corner_of_.size() && b < corner_of_.size() && corner_of_[a] != Pane::none && corner_of_[a] == corner_of_[b]);
@@ -139,6 +174,15 @@ private:
         for (const Index h : {first, Triangulation::next(first), Triangulation::previous(first)})
             if (t_.is_fixed(h) && is_crowded(h)) edges_.emplace_back(t_.origin(h), t_.target(h));
         if (is_bad(face)) triangles_.push_back({t_.origin(first), t_.target(first), t_.apex(first)});
+    }
+
+    /// Mends the first triangle of a queue, if it is there still.
+    void take(std::deque<Corners>& queue, bool before_wall)
+    {
+        const Corners corners = queue.front();
+        queue.pop_front();
+        const Index h = t_.find_side(corners[0], corners[1]);
+        if (h != Pane::none && t_.apex(h) == corners[2] && is_bad(h)) mend(h, before_wall);
     }
 
     void made(Index v)
@@ -169,9 +213,10 @@ private:
         return false;
     }
 
-    void halve(Index h)
+    /// False where the edge stays as it is.
+    bool halve(Index h)
     {
-        if (!is_splittable(h)) return;
+        if (!is_splittable(h)) return false;
         Index u = t_.origin(h), v = t_.target(h);
         const bool u_sharp = is_sharp(u), v_sharp = is_sharp(v), loop = (t_.bits(h) & Triangulation::loop_bit) != 0;
         double part = 0.5;
@@ -183,7 +228,7 @@ private:
             corner = u;
         }
         const Point2 middle = at(u) + part * (at(v) - at(u));
-        if (t_.look_around(middle, t_.locate(middle), pane_.state_.weld).vertex != Pane::none) return;
+        if (t_.look_around(middle, t_.locate(middle), pane_.state_.weld).vertex != Pane::none) return false;
         const Index w = pane_.split_edge(u, v, middle);
         if (corner != Pane::none) {
             corner_of_.resize(std::max<std::size_t>(corner_of_.size(), t_.vertex_end()), Pane::none);
@@ -195,21 +240,33 @@ private:
         made(w);
         for (const auto& [a, b] : {std::pair{u, w}, std::pair{w, v}})
             if (const Index side = t_.find_side(a, b); side != Pane::none && is_crowded(side)) edges_.emplace_back(a, b);
+        return true;
     }
 
-    /// A point at the centre of the triangle's circle, if nothing is in the way. `face` is its first side.
-    void mend(Index face)
+    /// A point at a place, which is seen from `face`, if it is not too near to another or to a line.
+    bool put(const Point2& p, Index face)
     {
-        const Index a = t_.origin(face), b = t_.target(face), c = t_.apex(face);
-        const Point2 u = at(b) - at(a), w = at(c) - at(a);
-        const double doubled = u.x * w.y - u.y * w.x, uu = square(u), ww = square(w);
-        const Point2 centre = at(a) + Point2(w.y * uu - u.y * ww, u.x * ww - w.x * uu) / (2 * doubled);
+        const auto place = t_.locate(p, face);
+        if (!t_.is_inside(place.side)) return false;
+        const auto near = t_.look_around(p, place, 4 * pane_.state_.weld);
+        if (near.vertex != Pane::none || near.fixed != Pane::none) return false;
+        made(pane_.put(p, Pane::none, place));
+        return true;
+    }
+
+    /// The centre of the triangle's circle, if nothing is in the way. `face` is its first side. Of what waits before a wall, whatever does.
+    void mend(Index face, bool before_wall)
+    {
+        const Corners corners{t_.origin(face), t_.target(face), t_.apex(face)};
+        const bool large = is_large(face);
+        const Point2 u = at(corners[1]) - at(corners[0]), w = at(corners[2]) - at(corners[0]);
+        const double doubled = cross(u, w), uu = square(u), ww = square(w);
+        const Point2 start = at(corners[0]) + (u + w) / 3.0, centre = at(corners[0]) + Point2(w.y * uu - u.y * ww, u.x * ww - w.x * uu) / (2 * doubled);
         if (!std::isfinite(centre.x) || !std::isfinite(centre.y)) return;
 
         // Straight from the middle of the triangle to the centre, as far as the next line.
-        const Point2 start = at(a) + (u + w) / 3.0;
-        Index h = Triangulation::face(face), came = Pane::none;
-        while (true) {
+        Index h = face, came = Pane::none, wall = Pane::none;
+        while (wall == Pane::none) {
             Index through = Pane::none;
             const Index first = first_side(t_, h);
             for (const Index side : {first, Triangulation::next(first), Triangulation::previous(first)})
@@ -217,21 +274,47 @@ private:
                     orient(start, centre, at(t_.target(side))) >= 0)
                     through = side;
             if (through == Pane::none) break;
-            if (t_.is_fixed(through)) return halve(through);
-            came = t_.twin(through);
-            h = Triangulation::face(came);
+            if (t_.is_fixed(through)) {
+                wall = through;
+                if (is_splittable(wall)) halves_.emplace_back(t_.origin(wall), t_.target(wall));
+            } else {
+                came = t_.twin(through);
+                h = Triangulation::face(came);
+            }
         }
+        if (wall == Pane::none) wall = look_round(centre, h, large);
 
-        // The faces that would make room for the centre, and the lines around them.
-        std::vector<Index> room{h};
-        bool crowded = false;
+        bool halved = false;
+        for (const auto& [from, to] : std::exchange(halves_, {}))
+            if (const Index side = t_.find_side(from, to); side != Pane::none) halved |= halve(side);
+        if (halved) {
+            triangles_.push_back(corners); // it may be there still, and bad
+        } else if (wall == Pane::none) {
+            if (!put(centre, h) && large) put(start, face);
+        } else if (large && !before_wall) {
+            walled_.push_back(corners);
+        } else if (large) {
+            put_before(wall, start, centre, face);
+        }
+    }
+
+    /// Looks at the faces that would make room for a centre, and at the lines around them: what the centre is too near to is to be halved. Returns one that
+    /// may not, or none.
+    Index look_round(const Point2& centre, Index face, bool large)
+    {
+        std::vector<Index> room{face};
+        Index wall = Pane::none;
         for (std::size_t i = 0; i < room.size(); ++i) {
             const Index first = first_side(t_, room[i]);
             for (const Index side : {first, Triangulation::next(first), Triangulation::previous(first)}) {
                 if (t_.is_fixed(side)) {
-                    if (!sees_within_circle(side, centre)) continue;
-                    crowded = true;
-                    if (is_splittable(side)) halves_.emplace_back(t_.origin(side), t_.target(side));
+                    if (is_splittable(side)) {
+                        if (!sees_within_circle(side, centre)) continue;
+                        halves_.emplace_back(t_.origin(side), t_.target(side));
+                    } else if (!is_too_near_wall(side, centre, large)) {
+                        continue;
+                    }
+                    wall = side;
                     continue;
                 }
                 const Index beyond = Triangulation::face(t_.twin(side));
@@ -240,43 +323,37 @@ private:
                     room.push_back(beyond);
             }
         }
-        if (!crowded) {
-            const auto place = t_.locate(centre, h);
-            if (!t_.is_inside(place.side) || (place.kind == Triangulation::Place::Kind::side && t_.is_fixed(place.side))) return;
-            if (t_.look_around(centre, place, 4 * pane_.state_.weld).vertex != Pane::none) return;
-            made(pane_.put(centre, Pane::none, place));
-            return;
-        }
-        const std::array<Index, 3> again{a, b, c};
-        bool halved = false;
-        for (const auto& [from, to] : std::exchange(halves_, {})) {
-            const Index side = t_.find_side(from, to);
-            if (side == Pane::none) continue;
-            const std::size_t before = result_.made;
-            halve(side);
-            halved |= result_.made > before;
-        }
-        if (halved) triangles_.push_back(again); // it may be there still, and bad
+        return wall;
+    }
+
+    /// On the way from the middle of a face to the centre of its circle, half as far from the wall; but not so near that the triangle on the wall comes out much smaller than
+    /// it has to be.
+    void put_before(Index wall, const Point2& start, const Point2& centre, Index face)
+    {
+        const double from = doubled_area(wall, start), to = doubled_area(wall, centre), left = std::max(from / 2, 0.9 * doubled_most_);
+        const double part = from > left && from > to ? (from - left) / (from - to) : 0;
+        if (part <= 0 || !put(start + std::min(part, 1.0) * (centre - start), face)) put(start, face);
     }
 
     Pane& pane_;
     Triangulation& t_;
     const Pane::Refinement& asked_;
+    Progress* progress_;
+    double sine_, doubled_most_, expected_;
     std::size_t most_;
-    double sine_ = 0;
     std::deque<std::pair<Index, Index>> edges_;
-    std::deque<std::array<Index, 3>> triangles_;
+    std::deque<Corners> triangles_, walled_;
     std::vector<std::pair<Index, Index>> halves_;
     std::vector<Index> corner_of_; // by vertex: the sharp corner whose line was split there
     Pane::Refined result_;
 };
 
-Pane::Refined Pane::refine(const Refinement& refinement)
+Pane::Refined Pane::refine(const Refinement& refinement, Progress* progress)
 {
     if (!(refinement.min_angle >= 0 && refinement.min_angle <= 30))
         refuse(Reason::angle_too_large, fmt::format("min_angle={}: expected 0 to 30 degrees", refinement.min_angle));
     if (refinement.max_area && !(*refinement.max_area > 0)) refuse(Reason::range, fmt::format("max_area={}: expected more than 0", *refinement.max_area));
-    return edit([&] { return Refiner(*this, refinement).run(); });
+    return edit([&] { return Refiner(*this, refinement, progress).run(); });
 }
 
 void Pane::unrefine()

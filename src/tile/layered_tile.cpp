@@ -120,7 +120,7 @@ Pane LayeredTile::make_pane() const
 }
 
 /// Points, segments and triangles of a pane whose first ids are our numbers. Points that are new take their height from the surface `before`.
-void LayeredTile::take_inside(const Pane& pane, const LayeredTile* before)
+void LayeredTile::take_inside(const Pane& pane, const LayeredTile* before, Progress* progress)
 {
     const int rim = outline_count(), known = rim + static_cast<int>(design_.interior.size());
     std::vector<std::uint32_t> number(std::size_t(pane.next_point()), Pane::none);
@@ -139,6 +139,7 @@ void LayeredTile::take_inside(const Pane& pane, const LayeredTile* before)
         if (old < known) {
             if (const auto height = design_.heights.find(PointName::interior(old - rim)); height != design_.heights.end()) inner_heights[name] = height->second;
         } else if (finder) {
+            if (progress && old % 256 == 0) progress->step(1.0);
             const Point2& p = interior.back();
             if (const double height = finder->at(inverse(before->motion(before->copy_at(p)))(p)); height != 0) inner_heights[name] = height;
         }

@@ -105,7 +105,7 @@ public:
     void constrain(std::span<const PointName> path);
     /// Takes away the segment that runs from the first point of the path to the last, by those between.
     void unconstrain(std::span<const PointName> path);
-    Pane::Refined refine(const Pane::Refinement& refinement);
+    Pane::Refined refine(const Pane::Refinement& refinement, Progress* progress = nullptr);
 
     // --- stack and phase II ------------------------------------------------------------------------------------------------------------------------
     /// Moves the offset to the nearest one that keeps the stack isohedral, where it is within `reach`. Refused else: offset-not-isohedral.
@@ -139,7 +139,7 @@ private:
     void derive(const LayeredTile* before = nullptr);
     void derive_plane();
     Pane make_pane() const;
-    void take_inside(const Pane& pane, const LayeredTile* before);
+    void take_inside(const Pane& pane, const LayeredTile* before, Progress* progress = nullptr);
     void take_heights();
     TileStack stack_along(const TileDesign& design, std::vector<std::string>& notes) const;
     PathPlace place_in_path(int edge, const Point2& at, bool mirrored) const;
@@ -147,7 +147,7 @@ private:
     int inner_point(const PointName& point) const;
     void become(TileDesign design, const Rename& renamed = {});
     template <class F>
-    PointName change_inside(F&& change);
+    PointName change_inside(F&& change, Progress* progress = nullptr);
     template <class F>
     void change_heights(std::span<const int> points, F&& f);
     std::string named(const std::string& text) const;

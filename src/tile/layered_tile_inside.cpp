@@ -16,7 +16,7 @@ PointId id_of(int point) { return PointId(static_cast<std::uint32_t>(point)); }
 
 /// Edits a pane that has our points by our numbers, and takes over what it became. What `change` returns is a point of the pane.
 template <class F>
-PointName LayeredTile::change_inside(F&& change)
+PointName LayeredTile::change_inside(F&& change, Progress* progress)
 {
     Pane pane = make_pane();
     pane.set_snap(snap());
@@ -31,7 +31,7 @@ PointName LayeredTile::change_inside(F&& change)
     for (const std::string& note : pane.report().notes) next.notes_.push_back(named("note: " + note));
     const std::vector<PointId> points = pane.points();
     const auto place = static_cast<int>(std::ranges::lower_bound(points, point) - points.begin());
-    next.take_inside(pane, this);
+    next.take_inside(pane, this, progress);
     *this = std::move(next);
     return place < point_count() ? name(place) : PointName::corner(0);
 }
@@ -108,13 +108,14 @@ void LayeredTile::unconstrain(std::span<const PointName> path)
     });
 }
 
-Pane::Refined LayeredTile::refine(const Pane::Refinement& refinement)
+Pane::Refined LayeredTile::refine(const Pane::Refinement& refinement, Progress* progress)
 {
     Pane::Refined refined;
-    change_inside([&](Pane& pane) {
-        refined = pane.refine(refinement);
+    const auto change = [&](Pane& pane) {
+        refined = pane.refine(refinement, progress);
         return id_of(0);
-    });
+    };
+    change_inside(change, progress);
     return refined;
 }
 

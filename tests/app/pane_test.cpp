@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <random>
 
 namespace druse {
@@ -176,7 +177,25 @@ TEST(PaneOperators, SayWhatOneCouldNotKnow)
     EXPECT_EQ(notes_of(document, "pane.constrain from=9 to=8"), (Notes{"duplicate: segment 0 is there already"}));
     EXPECT_EQ(notes_of(document, "pane.constrain line=6,6,6,9"), (Notes{"crossing: point 12"}));
     EXPECT_EQ(notes_of(document, "pane.move point=7 to=6,6"), (Notes{"merged: point 10 is now point 7"}));
-    EXPECT_EQ(notes_of(document, "pane.refine max_area=0.0001").front().substr(0, 10), "stopped at");
+}
+
+TEST(PaneOperators, SayWhatARefinementCouldNotDo)
+{
+    Document document = with_pane();
+    EXPECT_EQ(notes_of(document, "pane.refine min_angle=0 max_area=0.1"), std::vector<std::string>());
+    EXPECT_EQ(pane_in(document).boundary_count(), 4u);
+    EXPECT_EQ(complaint(document, "pane.refine max_area=1e-9"),
+              "pane.refine: range: max_area=1e-09: it takes 5e+10 points and more, and 1000000 are the most; expected 5e-05 or above");
+    document.apply("pane.new loop=0,0,10,0,10,10,0,10 snap=0 weld=0.05");
+    const auto larger = notes_of(document, "pane.refine min_angle=0 max_area=0.1");
+    ASSERT_EQ(larger.size(), 1u);
+    EXPECT_TRUE(larger[0].ends_with(" of them larger")) << larger[0];
+    document.apply(square_pane);
+    for (int i = 0; i < 7; ++i) document.apply(fmt::format("pane.constrain line=5,5,{},{}", 5 + 4 * std::cos(0.03 * i), 5 + 4 * std::sin(0.03 * i)));
+    const auto stopped = notes_of(document, "pane.refine boundary=split");
+    ASSERT_EQ(stopped.size(), 2u);
+    EXPECT_TRUE(stopped[0].starts_with("stopped at 60")) << stopped[0]; // fifty for each of twelve
+    EXPECT_TRUE(stopped[1].ends_with(" fall short of what was asked for")) << stopped[1];
 }
 
 TEST(PaneOperators, TakeWhatExcludesOtherThingsOneAtATime)

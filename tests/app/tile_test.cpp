@@ -225,6 +225,38 @@ TEST(TileRelief, IsShapedByToolsAndByPictures)
     EXPECT_NE(complaint(document, std::string("tile.height_image image=") + DRUSE_MODELS + "/cube.obj"), "");
 }
 
+TEST(TileRelief, MissesPointsWhereNoneAreSelected)
+{
+    Document document = quad();
+    document.apply("select.vertices vertices=none");
+    const auto before = tile_in(document).design();
+    for (const char* command : {"tile.height add=1", "tile.height set=1", "tile.height_dome height=1", "tile.height_smooth", "tile.height_ridge path=i0"})
+        EXPECT_TRUE(complaint(document, std::string(command) + " points=selected").ends_with(": points=selected: no points of the tile are selected")) << command;
+    EXPECT_EQ(tile_in(document).design(), before);
+    EXPECT_EQ(complaint(document, "tile.height add=1 points=none"), "");
+    EXPECT_EQ(tile_in(document).design(), before);
+    document.apply("select.vertices vertices=26"); // of the bottom
+    EXPECT_NE(complaint(document, "tile.height add=1 points=selected"), "");
+    document.apply("select.vertices vertices=10,26");
+    document.apply("tile.height add=1 points=selected");
+    EXPECT_EQ(tile_in(document).height(10), 3);
+}
+
+TEST(TileRefine, KeepsTheOutlineAndSaysHowManyPointsAreTooMany)
+{
+    Document document = quad();
+    document.apply("tile.refine min_angle=0 max_area=0.25");
+    const LayeredTile& tile = tile_in(document);
+    EXPECT_EQ(tile.outline_count(), 10);
+    EXPECT_GE(tile.surface().triangles.size(), 400u); // of an area of 100
+    for (const auto& t : tile.surface().triangles) {
+        const Point2 u = tile.position(int(t[1])) - tile.position(int(t[0])), w = tile.position(int(t[2])) - tile.position(int(t[0]));
+        EXPECT_LE(u.x * w.y - u.y * w.x, 0.5 + 1e-12);
+    }
+    const std::string complaint_of = complaint(document, "tile.refine max_area=1e-9");
+    EXPECT_TRUE(complaint_of.starts_with("tile.refine: range: max_area=1e-09: it takes 5e+10 points and more, and 1000000 are the most")) << complaint_of;
+}
+
 TEST(TileFile, SaysLineAndKeyOfWhatIsWrong)
 {
     const Folder folder;

@@ -15,6 +15,16 @@ Pane with_points(std::size_t count)
     return pane;
 }
 
+double largest_area(const Pane& pane)
+{
+    double most = 0;
+    pane.for_triangles([&](PointId a, PointId b, PointId c) {
+        const Point2 u = pane.position(b) - pane.position(a), w = pane.position(c) - pane.position(a);
+        most = std::max(most, (u.x * w.y - u.y * w.x) / 2);
+    });
+    return most;
+}
+
 TEST(PaneRefine, MakesEveryAngleLargeWhereLinesMeetSquarely)
 {
     for (const double angle : {15.0, 20.0, 25.0}) {
@@ -72,19 +82,81 @@ TEST(PaneRefine, MakesTrianglesNoLargerThanAskedFor)
     const auto refined = pane.refine({20, 0.5, true});
     EXPECT_TRUE(refined.complete);
     EXPECT_EQ(refined.falling_short, 0u);
-    pane.for_triangles([&](PointId a, PointId b, PointId c) {
-        const Point2 u = pane.position(b) - pane.position(a), w = pane.position(c) - pane.position(a);
-        EXPECT_LE((u.x * w.y - u.y * w.x) / 2, 0.5 + 1e-12);
-    });
+    EXPECT_LE(largest_area(pane), 0.5 + 1e-12);
     expect_sound(pane);
 }
 
 TEST(PaneRefine, StopsAtFiftyNewPointsForEachOldOne)
 {
-    Pane pane = with_points(0);
-    const auto refined = pane.refine({20, 1e-3, true});
+    Pane star = with_points(0);
+    for (int i = 0; i < 7; ++i) star.constrain_line(std::array{Point2(5, 5), Point2(5 + 4 * std::cos(i * 0.03), 5 + 4 * std::sin(i * 0.03))});
+    const auto refined = star.refine({20, {}, true});
     EXPECT_FALSE(refined.complete);
-    EXPECT_LE(refined.made, 202u);
+    EXPECT_GT(refined.falling_short, 0u);
+    EXPECT_EQ(refined.too_large, 0u);
+    EXPECT_LE(refined.made, 50 * 12u + 2); // of the corners and the star's points
+    expect_sound(star);
+}
+
+// Of the square of 100, T triangles of at most A each: T ≥ 100 / A, and 2 I + 4 − 2 of I points inside.
+TEST(PaneRefine, MeetsAreasWhereTheBoundaryIsKept)
+{
+    for (const double angle : {0.0, 20.0})
+        for (const double most : {5.0, 1.0, 0.1, 0.02}) {
+            Pane pane = with_points(0);
+            const auto refined = pane.refine({angle, most, false});
+            EXPECT_TRUE(refined.complete);
+            EXPECT_EQ(refined.too_large, 0u);
+            EXPECT_EQ(pane.boundary_count(), 4u);
+            EXPECT_EQ(pane.triangle_count(), 2 * refined.made + 2);
+            EXPECT_GE(double(refined.made), (100 / most - 2) / 2);
+            EXPECT_LE(double(refined.made), 100 / most + 4); // half of the area allowed, on average, is no waste
+            EXPECT_LE(largest_area(pane), most + 1e-12);
+            expect_sound(pane);
+        }
+}
+
+TEST(PaneRefine, MeetsAreasInNarrowPanesAndAroundHoles)
+{
+    const std::vector<std::vector<Point2>> hole{{{4, 4}, {4, 6}, {6, 6}, {6, 4}}};
+    for (Pane pane : {Pane(rectangle(10, 0.1), {}, {0.0, {}}), Pane(std::vector<Point2>{{0, 0}, {10, 0}, {10, 1}}, {}, {0.0, {}}), Pane(rectangle(10, 10), hole, {0.0, {}})}) {
+        const std::size_t boundary = pane.boundary_count();
+        EXPECT_EQ(pane.refine({20, 0.05, false}).too_large, 0u);
+        EXPECT_EQ(pane.boundary_count(), boundary);
+        EXPECT_LE(largest_area(pane), 0.05 + 1e-12);
+        expect_sound(pane);
+    }
+}
+
+// On a side of 10, an area of 0.1 leaves a height of 0.02: less than a weld of 0.05 keeps points apart from lines.
+TEST(PaneRefine, LeavesTrianglesLargerWhereTheirPointsWouldBeTooNear)
+{
+    Pane pane(rectangle(10, 10), {}, {0.0, 0.05});
+    const auto refined = pane.refine({0, 0.1, false});
+    EXPECT_TRUE(refined.complete);
+    EXPECT_GE(refined.too_large, 4u); // on each side
+    EXPECT_LE(refined.too_large, 100u);
+    EXPECT_EQ(refined.falling_short, refined.too_large);
+    EXPECT_GT(largest_area(pane), 0.1);
+    EXPECT_LE(largest_area(pane), 10 * 0.6 / 2); // nothing is left that has room for three points, one above the other
+    expect_sound(pane);
+}
+
+TEST(PaneRefine, RefusesAreasThatTakeMoreThanAMillionPoints)
+{
+    Pane pane = with_points(0);
+    expect_refused(pane, Reason::range, [&] { pane.refine({20, 100 / 2'000'010.0, false}); });
+    expect_refused(pane, Reason::range, [&] { pane.refine({20, 1e-300, true}); });
+}
+
+TEST(PaneRefine, HearsCancel)
+{
+    Pane pane = with_points(30);
+    const auto before = pane.fingerprint();
+    Progress progress;
+    progress.cancel();
+    EXPECT_THROW(pane.refine({20, 0.1, false}, &progress), Cancelled);
+    EXPECT_EQ(pane.fingerprint(), before);
     expect_sound(pane);
 }
 
