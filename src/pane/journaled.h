@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -52,13 +53,14 @@ public:
 
     void keep(std::uint32_t block)
     {
-        if (recording_ && block < known_ >> block_bits) [[unlikely]] remember(block);
+        if (block < minded_) [[unlikely]] remember(block);
     }
 
     /// Adds one block with this value in all its elements, and returns the first of them.
     std::uint32_t add(const T& value)
     {
         const std::uint32_t first = size();
+        if (watching_) watched_.push_back(first >> block_bits);
         for (std::uint32_t i = 0; i < block_size; ++i) items_.push_back(value);
         return first;
     }
@@ -70,10 +72,30 @@ public:
     {
         kept_.clear();
         known_ = size();
-        recording_ = true;
+        minded_ = known_ >> block_bits;
     }
 
-    void end() noexcept { recording_ = false; }
+    void end() noexcept
+    {
+        minded_ = 0;
+        unwatch();
+    }
+
+    /// Within a recording: from now on, says which blocks change, new ones too. Repeats and all.
+    void watch()
+    {
+        watching_ = true;
+        minded_ = std::numeric_limits<std::uint32_t>::max();
+    }
+    bool is_recording() const { return minded_ != 0; }
+    bool is_watching() const { return watching_; }
+    const std::vector<std::uint32_t>& watched() const { return watched_; }
+    void unwatch() noexcept
+    {
+        if (watching_ && minded_ != 0) minded_ = known_ >> block_bits;
+        watching_ = false;
+        watched_.clear();
+    }
 
     /// What the last recording kept; once.
     Change take() { return {std::exchange(kept_, {}), {}, known_}; }
@@ -84,7 +106,7 @@ public:
         for (std::size_t i = kept_.size(); i-- > 0;) std::copy(kept_[i].value.begin(), kept_[i].value.end(), place(kept_[i].block));
         items_.erase(items_.begin() + known_, items_.end());
         kept_.clear();
-        recording_ = false;
+        end();
     }
 
     /// Takes the memory that undo(), or else redo(), needs, so that they cannot fail.
@@ -116,6 +138,8 @@ private:
 
     void remember(std::uint32_t block)
     {
+        if (watching_) watched_.push_back(block);
+        if (block >= known_ >> block_bits) return;
         if (kept_.size() >= 2 * std::size_t(known_ >> block_bits) + 64) [[unlikely]] forget_repeats();
         Kept& kept = kept_.emplace_back();
         kept.block = block;
@@ -135,8 +159,10 @@ private:
 
     std::vector<T> items_;
     std::vector<Kept> kept_;
-    std::uint32_t known_ = 0; // size when the recording began
-    bool recording_ = false;
+    std::vector<std::uint32_t> watched_;
+    std::uint32_t known_ = 0;  // size when the recording began
+    std::uint32_t minded_ = 0; // blocks before this are looked at when they change; none where nothing is recorded
+    bool watching_ = false;
 };
 
 } // namespace druse

@@ -331,6 +331,9 @@ private:
 
     // loops
     void flood();
+    Index region_over(Index h, Index here) const;
+    void spread_region(Index start, Index region, bool all);
+    Index region_far(Index known, Index face) const;
 
     template <class Self, class F>
     static void for_arrays(Self& self, F&& f);
@@ -354,7 +357,7 @@ private:
     std::vector<std::pair<Index, Index>> new_pieces_;
     std::vector<Index> loose_crossings_;
     std::vector<Index> flood_stack_;
-    std::vector<Index> region_;
+    std::vector<Index> region_, flooded_; // of faces; those whose region is known
 };
 
 /// Runs f as one edit: all of it, or nothing if anything throws.

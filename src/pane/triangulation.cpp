@@ -122,6 +122,7 @@ void Triangulation::set_bits(Index h, std::uint32_t edge)
 void Triangulation::clear_bits(Index h, std::uint32_t edge)
 {
     if ((bits(h) & edge) == 0) return;
+    if ((bits(h) & edge & loop_bit) != 0 && sides_.is_recording()) sides_.watch();
     for (const Index g : {h, twin(h)}) {
         touch(g);
         put_bits(g, bits(g) & ~edge);

@@ -101,6 +101,16 @@ public:
     void set_bits(Index h, std::uint32_t bits);   // adds them
     void clear_bits(Index h, std::uint32_t bits); // takes them away; legalise() then follows
     void set_inside(Index h, bool inside);
+    /// Faces that changed since bits of a loop were taken away, some of them several times, some gone; until forget_changed(). Where that was not
+    /// recorded, knows_changed() is false.
+    bool knows_changed() const { return sides_.is_watching(); }
+    template <class F>
+    void for_changed(F&& f) const
+    {
+        for (const std::uint32_t block : sides_.watched())
+            if (is_face(4 * block)) f(Index(4 * block));
+    }
+    void forget_changed() { sides_.unwatch(); }
     /// Flips edges that are not Delaunay, starting with those whose bits were cleared.
     void legalise();
     /// Encloses p too, with room to spare. Precondition: coordinates of p are finite.

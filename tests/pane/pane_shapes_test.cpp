@@ -297,5 +297,26 @@ TEST(Pane, RemovesAHubOfManyTriangles)
     EXPECT_EQ(triangles(pane), before);
 }
 
+TEST(PaneBoundary, MayTurnAHoleInsideOutButNotLeaveItOutside)
+{
+    const std::vector<std::vector<Point2>> holes{{{4, 4}, {4, 6}, {6, 5}}};
+    Pane pane(rectangle(10, 10), holes, {0.0, {}});
+    const std::vector<PointId> inner = pane.add_all(std::array{Point2(1, 5), Point2(5, 1), Point2(5, 9), Point2(9, 9)});
+    pane.move(PointId(6), {2, 5}); // over the opposite side
+    expect_sound(pane);
+    EXPECT_EQ(double_areas(pane).first, 196);
+    EXPECT_EQ(pane.loop(1), (std::vector{PointId(4), PointId(6), PointId(5)})); // clockwise
+    pane.move(PointId(6), {6, 5});
+    EXPECT_EQ(pane.loop(1), (std::vector{PointId(4), PointId(5), PointId(6)}));
+    expect_sound(pane);
+    expect_refused(pane, Reason::swallows_point, [&] { pane.move(PointId(2), {8, 8}); });
+    pane.remove(inner[3]);
+    pane.remove(inner[2]);
+    pane.move(PointId(2), {8, 8});
+    expect_sound(pane);
+    EXPECT_EQ(double_areas(pane).first, 2 * (100 - 20 - 2));
+    expect_refused(pane, Reason::boundary_crosses, [&] { pane.move(PointId(2), {3, 3}); }); // the whole hole would be outside
+}
+
 } // namespace
 } // namespace druse
