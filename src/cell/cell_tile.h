@@ -90,7 +90,7 @@ public:
     void remove_edge_point(const CellPointName& point);
     void constrain(int pane, std::span<const CellPointName> path);
     void unconstrain(int pane, std::span<const CellPointName> path);
-    Pane::Refined refine(int pane, const Pane::Refinement& refinement);
+    Pane::Refined refine(int pane, const Pane::Refinement& refinement, Progress* progress = nullptr);
 
     // --- phase II ------------------------------------------------------------------------------------------------------------------------------------
     /// Enters phase II; or takes panes that were rolled back into it again.

@@ -216,12 +216,12 @@ void CellTile::unconstrain(int p, std::span<const CellPointName> path)
     });
 }
 
-Pane::Refined CellTile::refine(int p, const Pane::Refinement& refinement)
+Pane::Refined CellTile::refine(int p, const Pane::Refinement& refinement, Progress* progress)
 {
     require_flat(p, "new points of panes");
     Pane::Refined refined;
     change_pane(p, [&](Pane& pane) {
-        refined = pane.refine(refinement);
+        refined = pane.refine(refinement, progress);
         return pane_id(0);
     });
     return refined;

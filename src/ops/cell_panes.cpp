@@ -1,8 +1,7 @@
 // Operators on points and lines of a cell's panes while they are flat.
 #include "ops/cell.h"
 #include "ops/cell_parameters.h"
-
-#include <fmt/format.h>
+#include "ops/pane.h"
 
 #include <optional>
 
@@ -50,10 +49,8 @@ struct CellRefine {
 void run_cell_refine(Scene& scene, const CellRefine& p, Context& context)
 {
     Pane::Refined refined;
-    edit_cell(scene, context, [&](CellTile& cell) { refined = cell.refine(p.pane, {p.min_angle, p.max_area, false}); });
-    if (!refined.complete) context.note(fmt::format("stopped at {} new points, fifty for each old one", refined.made));
-    if (refined.falling_short > 0)
-        context.note(fmt::format("{} triangle{} still falls short of what was asked for", refined.falling_short, refined.falling_short == 1 ? "" : "s"));
+    edit_cell(scene, context, [&](CellTile& cell) { refined = cell.refine(p.pane, {p.min_angle, p.max_area, false}, &context.progress); });
+    tell(refined, context);
 }
 
 Definition<CellSegment> cell_segment_definition(std::string_view name, std::string_view help)

@@ -72,8 +72,10 @@ std::vector<int> CellPoints::resolve(const CellTile& tile, const Selection& sele
         if (word == "selected") {
             std::vector<int> of_vertex; // in the order of make_solid()
             for (int i = 0; i < tile.point_count(); ++i) of_vertex.insert(of_vertex.end(), tile.members(i).size(), i);
+            const std::size_t before = points.size();
             for (const Vertex v : selection.vertices)
                 if (v.index < of_vertex.size()) points.push_back(of_vertex[v.index]);
+            if (points.size() == before) throw CommandError("points=selected: no points of the cell are selected");
         } else if (is_cell_word(word)) {
             for (int i = 0; i < tile.point_count(); ++i)
                 if (word == "all" || (word == "interior" && tile.pane_of(i) >= 0) || (word == "outline" && tile.pane_of(i) < 0)) points.push_back(i);

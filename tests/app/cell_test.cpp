@@ -172,5 +172,14 @@ TEST(CellFile, SaysLineAndKeyOfWhatIsWrong)
     }
 }
 
+TEST(CellOperators, MissPointsWhereNoneAreSelected)
+{
+    Document document = shaped_cell();
+    document.apply("cell.solid");
+    document.apply("select.vertices vertices=none");
+    EXPECT_EQ(complaint(document, "cell.move points=selected by=0,0,1"), "cell.move: points=selected: no points of the cell are selected");
+    EXPECT_EQ(complaint(document, "cell.move points=none by=0,0,1"), "");
+}
+
 } // namespace
 } // namespace druse
