@@ -22,13 +22,21 @@ using Number = PaneRecord::Number;
 constexpr std::uint64_t largest_pane_file = 0xffffffff;
 constexpr std::size_t deepest_list = 64; // of what is skipped; ours go four deep
 
+/// What is said of a value when it is met.
+struct PaneFault {
+    std::string path, what;
+};
+
 /// Puts the values of a pane file where they belong while the text is read; nothing else is kept of it.
 class PaneFileReader {
 public:
     static constexpr Number any = 0xffffffff;
 
-    /// `points`: how many there are; indices may not reach it.
-    PaneFileReader(const TextPlace& place, const std::string& file, Number points) : place_(place), file_(file), points_(points) {}
+    /// `points`: how many there are; indices may not reach it. `fault`: what is said of one value.
+    PaneFileReader(const TextPlace& place, const std::string& file, Number points, const PaneFault& fault)
+        : place_(place), file_(file), points_(points), fault_(fault)
+    {
+    }
 
     PaneRecord& record() { return record_; }
 
@@ -148,6 +156,7 @@ private:
     {
         if (!began_) fail("expected an object of JSON");
         if (!counts_.empty()) ++counts_.back();
+        if (!fault_.path.empty() && path() == fault_.path) fail(fault_.what);
     }
 
     void open()
@@ -254,6 +263,7 @@ private:
     const TextPlace& place_;
     const std::string& file_;
     Number points_;
+    const PaneFault& fault_;
     PaneRecord record_;
     bool began_ = false;
     Key key_ = Key::none;
@@ -261,19 +271,19 @@ private:
     std::vector<std::size_t> counts_; // of items so far, in the lists around the value that is read
 };
 
-PaneRecord parse_pane(std::string_view text, const std::string& file, Number points)
+PaneRecord parse_pane(std::string_view text, const std::string& file, Number points, const PaneFault& fault = {})
 {
     TextPlace place{text.data(), text.data(), text.data() + text.size()};
-    PaneFileReader reader(place, file, points);
+    PaneFileReader reader(place, file, points, fault);
     nlohmann::json::sax_parse(TextWalk(place, text.data()), TextWalk(place, text.data() + text.size()), &reader);
     return std::move(reader.record());
 }
 
-/// Ids may be far more than points, but not so many that a small file takes much memory.
-void require_ids_in_bounds(const PaneRecord& pane, const std::string& file)
+/// Reads the text once more, to say on which line the value at a path stands.
+[[noreturn]] void fail_at(std::string_view text, const std::string& file, const PaneFault& fault)
 {
-    const std::uint64_t most = (std::uint64_t(1) << 24) + 64 * std::uint64_t(pane.points.size());
-    if (std::max(pane.next_point, pane.next_segment) > most) throw InputError(file, fmt::format("next: expected at most {} for {} points", most, pane.points.size()));
+    parse_pane(text, file, PaneFileReader::any, fault);
+    throw InputError(file, fault.path + ": " + fault.what);
 }
 
 } // namespace
@@ -291,13 +301,15 @@ Model read_pane(ByteSource& source)
     for (const auto& [id, chain] : told.segments) bad |= std::ranges::any_of(chain, beyond);
     for (const auto* list : {&told.locked, &told.crossings, &told.refined}) bad |= std::ranges::any_of(*list, beyond);
     if (bad) parse_pane(text, source.name(), count); // which says where
-    require_ids_in_bounds(told, source.name());
+    // Ids may be far more than points, but not so many that a small file takes much memory.
+    if (const std::uint64_t most = (std::uint64_t(1) << 24) + 64 * std::uint64_t(count); std::max(told.next_point, told.next_segment) > most)
+        fail_at(text, source.name(), {"next", fmt::format("expected at most {} for {} points", most, count)});
 
     Model model;
     try {
         model.pane.emplace(restore(told));
-    } catch (const PaneRefusal& refusal) {
-        throw InputError(source.name(), refusal.what());
+    } catch (const PaneRecordRefusal& refusal) {
+        fail_at(text, source.name(), {refusal.path(), refusal.what()});
     }
     const PaneRecord made = record(*model.pane);
     if (told.triangles != made.triangles) model.notes.push_back("the triangles in the file were not those of its points and segments; they are made anew");

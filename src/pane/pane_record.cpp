@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 namespace druse {
 
@@ -11,6 +13,50 @@ namespace {
 using Index = Pane::Index;
 using Number = PaneRecord::Number;
 using Reason = PaneRefusal::Reason;
+
+[[noreturn]] void refuse_at(const std::string& path, Reason reason, const std::string& what) { throw PaneRecordRefusal(PaneRefusal(reason, what), path); }
+
+/// Runs f; what it refuses is the fault of the value at a path.
+template <class F>
+void refused_at(const std::string& path, F&& f)
+{
+    try {
+        f();
+    } catch (const PaneRefusal& refusal) {
+        throw PaneRecordRefusal(refusal, path);
+    }
+}
+
+/// Of items that are refused together: the first one without which those before it are not.
+template <class F>
+std::size_t first_refused(std::size_t count, F&& take)
+{
+    std::size_t good = 0, bad = count;
+    while (good + 1 < bad) {
+        const std::size_t middle = good + (bad - good) / 2;
+        try {
+            take(middle);
+            good = middle;
+        } catch (const PaneRefusal&) {
+            bad = middle;
+        }
+    }
+    return bad - 1;
+}
+
+bool is_in_range(double x) { return std::abs(x) <= 1e150; }
+
+/// The pane of the loops alone.
+Pane pane_of_loops(const PaneRecord& record, const std::vector<std::vector<Point2>>& loops)
+{
+    const auto of_first = [&](std::size_t n) { return Pane(loops[0], std::span(loops).subspan(1, n - 1), {record.snap, record.weld}); };
+    try {
+        return of_first(loops.size());
+    } catch (const PaneRefusal& refusal) {
+        if (refusal.reason() == Reason::range) throw PaneRecordRefusal(refusal, record.weld >= 1e-140 && is_in_range(record.weld) ? "snap" : "weld");
+        throw PaneRecordRefusal(refusal, fmt::format("boundary[{}]", first_refused(loops.size(), of_first)));
+    }
+}
 
 } // namespace
 
@@ -55,16 +101,18 @@ PaneRecord record(const Pane& pane)
 /// Loops and inner points are put in as for a new pane, and then take the ids of the record.
 Pane restore(const PaneRecord& record)
 {
-    const auto fail = [](Reason reason, const std::string& what) { throw PaneRefusal(reason, what); };
     const auto count = static_cast<Number>(record.points.size());
-    if (record.ids.size() != count || !std::is_sorted(record.ids.begin(), record.ids.end()) ||
-        std::adjacent_find(record.ids.begin(), record.ids.end()) != record.ids.end() || (count > 0 && record.ids.back() >= record.next_point))
-        fail(Reason::no_such_point, fmt::format("{} points, and ids that are not theirs", count));
-    const auto checked = [&](Number i) {
-        if (i >= count) fail(Reason::no_such_point, fmt::format("there is no point number {}", i));
+    if (record.ids.size() != count) refuse_at("ids", Reason::no_such_point, fmt::format("{} ids of {} points", record.ids.size(), count));
+    for (Number i = 1; i < count; ++i)
+        if (record.ids[i - 1] >= record.ids[i]) refuse_at(fmt::format("ids[{}]", i), Reason::no_such_point, "ids ascend");
+    if (count > 0 && record.ids.back() >= record.next_point) refuse_at("next", Reason::no_such_point, fmt::format("point {} is there already", record.ids.back()));
+    for (Number i = 0; i < count; ++i)
+        if (!is_in_range(record.points[i].x) || !is_in_range(record.points[i].y)) refuse_at(fmt::format("points[{}]", i), Reason::range, "coordinates go to 1e150");
+    const auto checked = [&](Number i, const char* path) {
+        if (i >= count) refuse_at(path, Reason::no_such_point, fmt::format("there is no point number {}", i));
         return i;
     };
-    if (record.boundary.empty()) fail(Reason::too_few_points, "a pane has a boundary");
+    if (record.boundary.empty()) refuse_at("boundary", Reason::too_few_points, "a pane has a boundary");
 
     std::vector<std::vector<Point2>> loops;
     std::vector<Number> order; // of the record's points, as the new pane numbers them
@@ -72,48 +120,64 @@ Pane restore(const PaneRecord& record)
     for (const auto& loop : record.boundary) {
         loops.emplace_back();
         for (const Number i : loop) {
-            loops.back().push_back(record.points[checked(i)]);
+            loops.back().push_back(record.points[checked(i, "boundary")]);
             order.push_back(i);
             bounds[i] = true;
         }
     }
-    Pane pane(loops[0], std::span(loops).subspan(1), {record.snap, record.weld});
+    Pane pane = pane_of_loops(record, loops);
+    const std::size_t rim = order.size();
     std::vector<Point2> inner;
     for (Number i = 0; i < count; ++i)
         if (!bounds[i]) {
             inner.push_back(record.points[i]);
             order.push_back(i);
         }
-    pane.add_all(inner);
-    if (pane.point_count() != count || pane.boundary_count() != std::size_t(std::count(bounds.begin(), bounds.end(), true)))
-        fail(Reason::coincides, "points of the record are nearer than weld, or on the boundary without being of it");
+    const auto point_path = [&](std::size_t i) { return fmt::format("points[{}]", order[rim + i]); };
+    const auto of_first = [&](std::size_t n) {
+        Pane trial = pane;
+        trial.add_all(std::span(inner).first(n));
+    };
+    std::vector<PointId> added;
+    try {
+        added = pane.add_all(inner);
+    } catch (const PaneRefusal& refusal) {
+        throw PaneRecordRefusal(refusal, point_path(first_refused(inner.size(), of_first)));
+    }
+    for (std::size_t i = 0; i < added.size(); ++i)
+        if (std::size_t(added[i]) != rim + i || pane.kind(added[i]) == PointKind::boundary)
+            refuse_at(point_path(i), Reason::coincides, "another point is nearer than weld, or it is on the boundary without being of it");
 
     std::vector<Number> new_of(count);
     for (Number i = 0; i < count; ++i) new_of[order[i]] = i;
     pane.take_ids(record.ids, new_of, record.next_point);
-    for (const auto& [id, chain] : record.segments) {
+    for (std::size_t k = 0; k < record.segments.size(); ++k) {
+        const auto& [id, chain] = record.segments[k];
+        const std::string place = fmt::format("segments[{}]", k);
         if (id < Number(pane.next_segment()) || id >= record.next_segment || chain.size() < 2)
-            fail(Reason::no_such_segment, fmt::format("segment {} is out of order, or has no length", id));
+            refuse_at(place, Reason::no_such_segment, fmt::format("segment {} is out of order, or has no length", id));
         std::vector<PointId> path;
-        for (const Number i : chain) path.push_back(PointId(record.ids[checked(i)]));
-        pane.take_segment(id, path);
-        if (pane.point_count() != count) fail(Reason::unresolvable, fmt::format("segment {} crosses another where the record has no point", id));
+        for (const Number i : chain) path.push_back(PointId(record.ids[checked(i, place.c_str())]));
+        refused_at(place, [&] { pane.take_segment(id, path); });
+        if (pane.point_count() != count) refuse_at(place, Reason::unresolvable, fmt::format("segment {} crosses another where the record has no point", id));
     }
     pane.skip_segments(record.next_segment);
-    for (const auto& [id, chain] : record.segments) {
+    for (std::size_t k = 0; k < record.segments.size(); ++k) {
+        const auto& [id, chain] = record.segments[k];
         const auto equal = [&](PointId point, Number i) { return Number(point) == record.ids[i]; };
         if (!std::ranges::equal(pane.chain(SegmentId(id)), chain, equal))
-            fail(Reason::unresolvable, fmt::format("segment {} meets more than its points", id));
+            refuse_at(fmt::format("segments[{}]", k), Reason::unresolvable, fmt::format("segment {} meets more than its points", id));
     }
-    const auto ids = [&](const std::vector<Number>& numbers) {
+    const auto ids = [&](const std::vector<Number>& numbers, const char* path) {
         std::vector<PointId> points;
-        for (const Number i : numbers) points.push_back(PointId(record.ids[checked(i)]));
+        for (const Number i : numbers) points.push_back(PointId(record.ids[checked(i, path)]));
         return points;
     };
-    for (const Number i : record.crossings)
-        if (bounds[checked(i)]) fail(Reason::boundary_touches, fmt::format("point number {} is of the boundary, not a crossing", i));
-    pane.take_marks(ids(record.crossings), ids(record.refined));
-    pane.lock(ids(record.locked));
+    for (std::size_t k = 0; k < record.crossings.size(); ++k)
+        if (const Number i = checked(record.crossings[k], "crossings"); bounds[i])
+            refuse_at(fmt::format("crossings[{}]", k), Reason::boundary_touches, fmt::format("point number {} is of the boundary, not a crossing", i));
+    pane.take_marks(ids(record.crossings, "crossings"), ids(record.refined, "refined"));
+    pane.lock(ids(record.locked, "locked"));
     return pane;
 }
 

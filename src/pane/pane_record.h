@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,17 @@ struct PaneRecord {
 
 PaneRecord record(const Pane& pane);
 
-/// The pane that a record tells of; `constraints` and `triangles` follow from the rest and are not read. Throws PaneRefusal where the record is
+/// A record that is none of a pane, and which of its values is at fault, as a file names it: `boundary[1]`, `points[5]`.
+class PaneRecordRefusal : public PaneRefusal {
+public:
+    PaneRecordRefusal(const PaneRefusal& refusal, std::string path) : PaneRefusal(refusal), path_(std::move(path)) {}
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
+/// The pane that a record tells of; `constraints` and `triangles` follow from the rest and are not read. Throws PaneRecordRefusal where the record is
 /// none of a pane: a number out of range, loops that are no boundary, a segment that meets more than its points.
 Pane restore(const PaneRecord& record);
 

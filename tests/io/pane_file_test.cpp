@@ -151,9 +151,23 @@ TEST(PaneFile, IsRefusedWithLineAndPlace)
     expect(with("\"locked\":[1,", "\"locked\":[1,14,"), "locked", ": locked[1]: expected a whole number below 14, found 14");
     expect(with("\"next\":[15,2]", "\"next\":[15]"), "next", ": next: expected 2 numbers");
     expect(with("\"next\":[15,2]", "\"next\":[15,2,3]"), "next", ": next[2]: expected 2 items");
-    expect(with("\"next\":[15,2]", "\"next\":[4294967294,2]"), "", ": next: expected at most 16778112 for 14 points");
+    expect(with("\"next\":[15,2]", "\"next\":[4294967294,2]"), "next", ": next: expected at most 16778112 for 14 points");
     expect(with("\"snap\":0", "\"snap\":0,\"snap\":0"), "snap", ": snap: is given twice");
-    expect(with("\"snap\":0", "\"snap\":-1"), "", ": range: snap -1 and weld 1e-08: expected 0 to 1e150, weld at least 1e-140");
+    expect(with("\"snap\":0", "\"snap\":-1"), "snap", ": snap: range: snap -1 and weld 1e-08: expected 0 to 1e150, weld at least 1e-140");
+    const std::string free_point = "[0.30000000000000004,0.3333333333333333]";
+    const char* const near = ": coincides: another point is nearer than weld, or it is on the boundary without being of it";
+    expect(with("[[0,0],", "[[1e200,0],"), "points", ": points[0]: range: coordinates go to 1e150");
+    expect(with("[2,2]", "[12,2]"), "boundary", ": boundary[1]: boundary-crosses: the line from point 1 to point 2 would cross that from point 4 to point 6");
+    expect(with(free_point, "[30,0.25]"), "points", ": points[7]: outside: (30, 0.25) is outside the boundary");
+    expect(with(free_point, "[2.5,2.5]"), "points", ": points[7]: outside: (2.5, 2.5) is outside the boundary"); // in the hole
+    expect(with(free_point, "[5,0]"), "points", std::string(": points[7]") + near);
+    expect(with(free_point, "[9,5]"), "points", std::string(": points[9]") + near);
+    expect(with("\"ids\":[0,1,", "\"ids\":[1,0,"), "ids", ": ids[1]: no-such-point: ids ascend");
+    expect(with("\"ids\":[0,1,", "\"ids\":[0,"), "ids", ": ids: no-such-point: 13 ids of 14 points");
+    expect(with("\"next\":[15,2]", "\"next\":[14,2]"), "next", ": next: no-such-point: point 14 is there already");
+    expect(with("\"segments\":[[0,[", "\"segments\":[[1,["), "segments", ": segments[1]: no-such-segment: segment 1 is out of order, or has no length");
+    expect(with("\"crossings\":[13]", "\"crossings\":[3]"), "crossings", ": crossings[0]: boundary-touches: point number 3 is of the boundary, not a crossing");
+    expect(with("\"weld\":1e-08", "\"weld\":0"), "weld", ": weld: range: snap 0 and weld 0: expected 0 to 1e150, weld at least 1e-140");
     expect(with("\"locked\"", "\"looked\""), "next", ": \"locked\" is missing");
     expect("[1]", "", ":1: expected an object of JSON");
     expect("{\"points\":" + std::string(100000, '['), "", ":1: points[0][0]: expected a number, found a list");
