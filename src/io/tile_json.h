@@ -2,6 +2,7 @@
 
 #include "dlfl/errors.h"
 #include "geom/point.h"
+#include "io/keyed_map.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,7 +15,7 @@ namespace druse {
 
 class ByteSink;
 
-using TileJson = nlohmann::ordered_json;
+using TileJson = nlohmann::basic_json<KeyedMap>;
 
 /// A `.tile` file of any kind as a tree, whose values are asked for by path, as `paths[1].points[0]`. What is not as it should be is an InputError with the line on
 /// which it stands. The text must outlive it.
