@@ -85,7 +85,7 @@ class Refiner;
 /// it), else, within a quarter of it, nearest free edge. 0: never. No two points are nearer than `weld`; a place nearer to a point is that point.
 ///
 /// Every edit happens whole or throws PaneRefusal and changes nothing. Points with twins take these along in the same edit.
-/// Cost: an edit of one point, beside what it changes, a microsecond or two at any size; an edit that takes a loop elsewhere, the faces of the pane.
+/// Cost: an edit of one point, beside what it changes, a microsecond or two at any size; an edit that takes a loop elsewhere, a walk through it too.
 /// Not for several threads at once, reading included: looking for a place remembers where it was found.
 /// Sources: Howison & Séquin 2009, section 2, and those of Triangulation; Ruppert 1995 and Shewchuk 2002 for refine().
 class Pane {
