@@ -160,11 +160,11 @@ TEST(ReadPly, TakesColoursOfAnyType)
 
 TEST(ReadPly, TakesColoursOfVerticesWhereFacesHaveNone)
 {
-    const std::array<std::string, 4> corners = {"255 0 0", "255 0 0", "0 0 255", "0 255 0"};
-    const Model model = read_text(with_more(colour_header, corners, "", {}), "ply"); // faces 0 2 1, 0 1 3, 1 2 3, 2 0 3
+    const std::array<std::string, 4> at_corners = {"255 0 0", "255 0 0", "0 0 255", "0 255 0"};
+    const Model model = read_text(with_more(colour_header, at_corners, "", {}), "ply"); // faces 0 2 1, 0 1 3, 1 2 3, 2 0 3
     EXPECT_EQ(groups(model.mesh), (std::vector<int>{1, 2, 3, 3}));
     EXPECT_EQ(model.groups.colour(1), (Colour{170, 0, 85}));
-    const Model faces = read_text(with_more(colour_header, corners, colour_header, {"1 1 1", "1 1 1", "1 1 1", "2 2 2"}), "ply");
+    const Model faces = read_text(with_more(colour_header, at_corners, colour_header, {"1 1 1", "1 1 1", "1 1 1", "2 2 2"}), "ply");
     EXPECT_EQ(groups(faces.mesh), (std::vector<int>{1, 1, 1, 2}));
 }
 
