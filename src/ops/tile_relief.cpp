@@ -77,6 +77,9 @@ void run_tile_solid(Scene& scene, const TileSolidParameters& p, Context& context
     const TileSolid solid = make_solid(tile, p.bottom, aspect, p.clearance);
     look_at_thickness(solid.thinnest, p.min_thickness, context);
     if (p.bottom == TileBottom::flat) context.note("a flat bottom fills no space");
+    if (solid.steep > 0)
+        context.note(fmt::format("{} where the relief is steeper than 75 degrees: joints are narrower than {} there, as tile.check tells",
+                                 solid.steep == 1 ? "1 triangle lies" : fmt::format("{} triangles lie", solid.steep), p.clearance));
     if (solid.lost > 0) context.note(fmt::format("the clearance cuts {:.6g} mm² off the outline, which hang on it by less than a joint", solid.lost));
     MeshBuilder builder;
     const Isometry& place = tile.aspects()[aspect];
@@ -154,7 +157,7 @@ Operator tile_solid_operator()
     Definition<P> definition("tile.solid", "Make the solid tile: its top, its bottom carved from the layer below, and walls");
     add_body(definition);
     return definition.param(&P::aspect, "aspect", Unit::count, {0, 11}, "which of the tiles of a cell; some are mirror images")
-        .param(&P::member, "member", Unit::count, {0, 11}, "which of the different solids of a free stack")
+        .param(&P::member, "member", Unit::count, {0, 11}, "which of the different solids of a free stack").instead_of("aspect")
         .param(&P::layer, "layer", Unit::count, {0, 1}, "1: the tile above that one, its mirror image in a stack of mirrors")
         .example("tile.solid")
         .cites("Howison & Séquin 2009, section 2.2")

@@ -55,7 +55,7 @@ public:
             if (t_.is_face(h) && t_.is_inside(h)) doubled += doubled_area(h);
         const double pieces = doubled / doubled_most_; // that the largest triangles allowed would be
         if (const double least = (pieces - double(pane.triangle_count())) / 2; !(least <= double(Pane::most_refined)))
-            pane.refuse(Pane::Reason::range, fmt::format("max_area={}: it takes {:.3g} points and more, and {} are the most; expected {:.3g} or above", *asked.max_area, least,
+            pane.refuse(Pane::Reason::range, fmt::format("max_area={}: it takes {:.3g} points and more, and {} are the most; expected well above {:.3g}", *asked.max_area, least,
                                                          Pane::most_refined, doubled / 2 / (2 * double(Pane::most_refined) + double(pane.triangle_count()))));
         most_ = std::min(Pane::most_refined, 50 * pane.state_.points + static_cast<std::size_t>(8 * pieces));
         expected_ = asked.max_area ? pieces : double(most_);

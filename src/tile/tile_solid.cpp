@@ -44,17 +44,19 @@ double sixfold_volume(const HeightField& field)
     return sum;
 }
 
-/// The cosine of how steep a triangle is, where 75° is the steepest.
+const double steepest_cosine = std::cos(75.0 * std::numbers::pi / 180.0);
+
+/// The cosine of how steep a triangle is.
 double slope_cosine(const HeightField& field, const std::array<std::uint32_t, 3>& t)
 {
-    static const double least = std::cos(75.0 * std::numbers::pi / 180.0);
     const Point &a = field.points[t[0]], &b = field.points[t[1]], &c = field.points[t[2]];
-    return std::max(unit(glm::cross(b - a, c - a), 0.0, Vector(0, 0, 1)).z, least);
+    return unit(glm::cross(b - a, c - a), 0.0, Vector(0, 0, 1)).z;
 }
 
 /// Moves the points of a field, which was cut out of `whole`, up or down so far that it is `by` away from that everywhere: as far as the steepest triangle asks that
-/// lies within `by` of one of theirs. So what comes from the other side of the same relief is twice as far away.
-void part(HeightField& field, const HeightField& whole, double by, double direction)
+/// lies within `by` of one of theirs, where 75° is the steepest. So what comes from the other side of the same relief is twice as far away.
+/// @return how many triangles are nearer, for something is steeper there
+int part(HeightField& field, const HeightField& whole, double by, double direction)
 {
     std::vector<FlatBox> boxes;
     std::vector<double> cosine;
@@ -65,14 +67,17 @@ void part(HeightField& field, const HeightField& whole, double by, double direct
     }
     const FlatGrid grid(boxes);
     std::vector<double> least(field.points.size(), 1.0);
+    int nearer = 0;
     for (const auto& t : field.triangles) {
         FlatBox box;
         for (const std::uint32_t v : t) box.add(Point2(field.points[v]));
         double steepest = slope_cosine(field, t);
         grid.for_each(box.grown(by), [&](std::uint32_t i) { steepest = std::min(steepest, cosine[i]); });
+        nearer += steepest < steepest_cosine;
         for (const std::uint32_t v : t) least[v] = std::min(least[v], steepest);
     }
-    for (std::size_t i = 0; i < least.size(); ++i) field.points[i].z += direction * by / least[i];
+    for (std::size_t i = 0; i < least.size(); ++i) field.points[i].z += direction * by / std::max(least[i], steepest_cosine);
+    return nearer;
 }
 
 } // namespace
@@ -142,8 +147,7 @@ TileSolid make_solid(const LayeredTile& tile, TileBottom bottom, int aspect, dou
         }
     }
     if (clearance > 0) {
-        part(solid.top, tile.surface(), 0.5 * clearance, -1);
-        part(solid.bottom, whole_bottom, 0.5 * clearance, 1);
+        solid.steep = part(solid.top, tile.surface(), 0.5 * clearance, -1) + part(solid.bottom, whole_bottom, 0.5 * clearance, 1);
     }
     if (bottom == TileBottom::flat)
         for (Point& p : solid.bottom.points) p.z = 0.5 * clearance;

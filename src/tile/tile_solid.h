@@ -23,6 +23,7 @@ struct TileSolid {
     HeightField top, bottom;
     std::vector<std::vector<std::uint32_t>> top_rim, bottom_rim; // over and below each side of the polygon, both corners among them
     Thinnest thinnest;
+    int steep = 0;   // triangles where a clearance is not reached, as reliefs are steeper than 75° there
     double lost = 0; // area of what a clearance cuts off the outline: pieces that hang on it by less than a joint
 
     std::size_t vertices() const { return top.points.size() + bottom.points.size(); }

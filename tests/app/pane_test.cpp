@@ -185,7 +185,7 @@ TEST(PaneOperators, SayWhatARefinementCouldNotDo)
     EXPECT_EQ(notes_of(document, "pane.refine min_angle=0 max_area=0.1"), std::vector<std::string>());
     EXPECT_EQ(pane_in(document).boundary_count(), 4u);
     EXPECT_EQ(complaint(document, "pane.refine max_area=1e-9"),
-              "pane.refine: range: max_area=1e-09: it takes 5e+10 points and more, and 1000000 are the most; expected 5e-05 or above");
+              "pane.refine: range: max_area=1e-09: it takes 5e+10 points and more, and 1000000 are the most; expected well above 5e-05");
     document.apply("pane.new loop=0,0,10,0,10,10,0,10 snap=0 weld=0.05");
     const auto larger = notes_of(document, "pane.refine min_angle=0 max_area=0.1");
     ASSERT_EQ(larger.size(), 1u);

@@ -242,6 +242,20 @@ TEST(TileRelief, MissesPointsWhereNoneAreSelected)
     EXPECT_EQ(tile_in(document).height(10), 3);
 }
 
+TEST(TileSolids, SayWhereTheReliefIsTooSteepForTheJoint)
+{
+    Document document(all_operators());
+    for (const char* command : {"tile.new type=IH41 size=10", "tile.edge path=0 points=.2,.1,.5,-.05", "tile.point_add at=.8,5", "tile.stack mode=shift offset=.4,0", "tile.extrude thickness=6",
+                                "tile.height points=i0 set=4"})
+        document.apply(command);
+    const auto steep = document.apply("tile.solid clearance=.6").notes;
+    ASSERT_FALSE(steep.empty());
+    EXPECT_TRUE(steep[0].ends_with("where the relief is steeper than 75 degrees: joints are narrower than 0.6 there, as tile.check tells")) << steep[0];
+    document.apply("tile.height points=i0 set=1");
+    EXPECT_EQ(document.apply("tile.solid clearance=.6").notes, std::vector<std::string>());
+    EXPECT_EQ(complaint(document, "tile.solid member=1 aspect=1").substr(0, 11), "tile.solid:");
+}
+
 TEST(TileRefine, KeepsTheOutlineAndSaysHowManyPointsAreTooMany)
 {
     Document document = quad();
