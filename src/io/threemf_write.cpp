@@ -134,23 +134,23 @@ void ThreeMfWriter::write()
         require_3mf(model_, NMR::lib3mf_model_querywriter(model_, "3mf", writer.out()));
         using Write = std::uint32_t (*)(unsigned char*, std::uint32_t, void*);
         using Seek = std::uint32_t (*)(std::uint64_t, void*);
-        struct Package {
+        struct Buffer {
             std::string bytes;
             std::size_t at = 0;
-        } package;
+        } buffer;
         const Write put = [](unsigned char* bytes, std::uint32_t count, void* to) -> std::uint32_t {
-            auto& p = *static_cast<Package*>(to);
+            auto& p = *static_cast<Buffer*>(to);
             if (p.bytes.size() < p.at + count) p.bytes.resize(p.at + count);
             std::memcpy(p.bytes.data() + p.at, bytes, count);
             p.at += count;
             return 0;
         };
         const Seek seek = [](std::uint64_t place, void* to) -> std::uint32_t {
-            static_cast<Package*>(to)->at = static_cast<std::size_t>(place);
+            static_cast<Buffer*>(to)->at = static_cast<std::size_t>(place);
             return 0;
         };
-        require_3mf(writer, NMR::lib3mf_writer_writetocallback(writer, reinterpret_cast<void*>(put), reinterpret_cast<void*>(seek), &package));
-        out_.main().put(package.bytes);
+        require_3mf(writer, NMR::lib3mf_writer_writetocallback(writer, reinterpret_cast<void*>(put), reinterpret_cast<void*>(seek), &buffer));
+        out_.main().put(buffer.bytes);
     } catch (const ThreeMfError& error) {
         throw InputError(out_.name(), "cannot be written: " + error.what);
     }
