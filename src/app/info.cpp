@@ -46,10 +46,14 @@ struct TileFacts {
             const TileSolid solid = make_solid(t, TileBottom::carved, aspect);
             min_thickness = std::min(min_thickness.value_or(solid.thinnest.thickness), solid.thinnest.thickness);
             if (m > 0 || !(solid.thinnest.thickness > 0)) continue;
-            MeshBuilder builder;
-            add_solid(builder, solid, {t.to_world() * t.aspects()[std::size_t(aspect)], 0.0});
-            body = facts(builder.build());
+            body = facts(solid_mesh(t, aspect, solid));
         }
+    }
+    static Mesh solid_mesh(const LayeredTile& t, int aspect, const TileSolid& solid)
+    {
+        MeshBuilder builder;
+        add_solid(builder, solid, {t.to_world() * t.aspects()[std::size_t(aspect)], 0.0});
+        return builder.build();
     }
 
     const LayeredTile& tile;
@@ -84,6 +88,9 @@ struct Facts {
         if (only_source && tile && tile->body) mesh = *tile->body;
         if (only_source && cell) mesh = cell->mesh;
     }
+    /// Whether `mesh` tells of faces: those of the scene, or of the solid that its tile or cell describes.
+    bool has_solid() const { return !only_source || cell || (tile && tile->body); }
+
     MeshFacts mesh;
     std::optional<GraphFacts> graph;
     std::optional<PaneFacts> pane;
@@ -396,6 +403,18 @@ std::string met_text(const std::optional<SelfIntersections>& met)
 
 } // namespace
 
+std::optional<SelfIntersections> self_intersections(const Scene& scene, Progress& progress)
+{
+    if (!shows_source(scene)) return self_intersections(scene.mesh, progress);
+    if (const CellTile* c = std::get_if<CellTile>(&*scene.source)) return self_intersections(CellFacts::solid_mesh(*c), progress);
+    if (const LayeredTile* t = std::get_if<LayeredTile>(&*scene.source); t && t->is_extruded()) {
+        const int aspect = aspect_of_member(*t, 0);
+        const TileSolid solid = make_solid(*t, TileBottom::carved, aspect);
+        if (solid.thinnest.thickness > 0) return self_intersections(TileFacts::solid_mesh(*t, aspect, solid), progress);
+    }
+    return std::nullopt;
+}
+
 std::string info_json(const Scene& scene, std::string_view file, const std::optional<SelfIntersections>& met)
 {
     const Facts facts(scene);
@@ -415,7 +434,7 @@ std::string info_json(const Scene& scene, std::string_view file, const std::opti
     j["parallel_edges"] = m.parallel_edges;
     j["point_spheres"] = m.point_spheres;
     j["zero_thickness_walls"] = m.zero_thickness_walls;
-    j["self_intersections"] = met && !facts.only_source ? Json(met->pairs) : Json(nullptr);
+    j["self_intersections"] = met && facts.has_solid() ? Json(met->pairs) : Json(nullptr);
     if (facts.only_source) {
         if (facts.graph) add_own_of_graph(j, *facts.graph);
         if (facts.pane) add_own_of_pane(j, facts.pane->own);
@@ -449,11 +468,16 @@ std::string info_text(const Scene& scene, std::string_view file, const std::opti
         add_lines(t, *facts.graph);
     } else if (facts.only_source && facts.tile) {
         add_tile(t, *facts.tile, facts.tile->body ? "tile " : "");
-        if (facts.tile->body) add_mesh(t, facts.mesh, *scene.groups);
-        else add_lines(t, facts.tile->lines);
+        if (facts.tile->body) {
+            add_mesh(t, facts.mesh, *scene.groups);
+            t.add("self-intersections", met_text(met));
+        } else {
+            add_lines(t, facts.tile->lines);
+        }
     } else if (facts.only_source && facts.cell) {
         add_cell(t, *facts.cell, "");
         add_mesh(t, facts.mesh, *scene.groups);
+        t.add("self-intersections", met_text(met));
     } else if (facts.only_source) {
         add_pane(t, facts.pane->own, "");
         add_lines(t, facts.pane->lines);

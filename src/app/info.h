@@ -9,6 +9,9 @@
 
 namespace druse {
 
+/// Where the solid of a scene meets itself: its mesh, or what its tile or cell describes where there is no mesh. None without either. @throws Cancelled
+std::optional<SelfIntersections> self_intersections(const Scene& scene, Progress& progress);
+
 /// Everything that `druse info` says of a scene, as one JSON object. `file` is where it came from, `met` where the mesh meets itself, if
 /// that was looked for.
 ///

@@ -48,6 +48,10 @@ double pane_mismatch(const CellTile& tile, const CellSolid& solid)
     return most;
 }
 
+bool falls_short(const CellTile& tile, double width, double asked) { return !(width >= asked - 1e-6 * tile.size()); }
+
+std::string joints_text(double width, double asked) { return fmt::format("joints are {:.6g} wide at the narrowest, not {:.6g}", width, asked); }
+
 } // namespace
 
 CellCheck check(const CellTile& tile, const CellCheckRequest& request, Progress& progress)
@@ -87,14 +91,27 @@ CellCheck check(const CellTile& tile, const CellCheckRequest& request, Progress&
     if (request.directions && met.pairs == 0) found.free = free_directions(tile, solid, progress);
 
     if (request.clearance > 0) {
-        const CellSolid thin = make_solid(tile, request.clearance, request.joint);
         found.has_clearance = true;
+        CellSolid thin;
+        try {
+            thin = make_solid(tile, request.clearance, request.joint);
+        } catch (const CellRefusal& refusal) {
+            found.vanishes = true;
+            found.faults.emplace_back(refusal.what());
+            return found;
+        }
         found.volume_left = volume(thin);
         found.clearance = least_distance(tile, thin, 2 * request.clearance, progress);
-        require(found.clearance >= request.clearance - 1e-6 * tile.size(), fmt::format("joints are {:.6g} wide, not {:.6g}", found.clearance, request.clearance));
+        require(!falls_short(tile, found.clearance, request.clearance), joints_text(found.clearance, request.clearance));
         require(self_intersections(mesh_of(tile, thin), progress, 1).pairs == 0, "the clearance makes the solid meet itself");
     }
     return found;
+}
+
+std::optional<std::string> narrow_joints(const CellTile& tile, const CellSolid& solid, double clearance, Progress& progress)
+{
+    const double width = least_distance(tile, solid, clearance, progress);
+    return falls_short(tile, width, clearance) ? std::optional(joints_text(width, clearance)) : std::nullopt;
 }
 
 } // namespace druse

@@ -4,6 +4,7 @@
 #include "geom/progress.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct CellCheck {
     std::vector<Vector> free; // directions in which it leaves an assembly, see free_directions()
 
     bool has_clearance = false; // was asked for
+    bool vanishes = false;      // it leaves nothing of the cell
     double clearance = 0;       // least distance from any neighbour, as far as twice what was asked for
     double volume_left = 0;
 
@@ -43,5 +45,9 @@ struct CellCheckRequest {
 /// Looks at all of it: volume, pairs, genus, and whether the surface meets itself. Where panes match and volume is right, one that does not meet itself fills space with its
 /// translates, each place once. Exact, on the points as they are rounded. Cost: 0.1 s for 20 000 triangles, without the directions. @throws Cancelled
 CellCheck check(const CellTile& tile, const CellCheckRequest& request, Progress& progress);
+
+/// How wide the joints around a solid of the tile are at the narrowest, where that is less than what was asked for, in the words of check(). Cost: that of least_distance().
+/// @throws Cancelled; CommandError where too many cells are near
+std::optional<std::string> narrow_joints(const CellTile& tile, const CellSolid& solid, double clearance, Progress& progress);
 
 } // namespace druse

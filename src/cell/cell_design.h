@@ -24,6 +24,7 @@ struct CellDetail {
     std::array<double, 3> at{};           // where in the triangle: weights of its corners
     std::array<CellPointName, 2> edge{};  // or which edge, by its ends in that pane, without the pane in their names
     double t = 0.5;                       // and where on it, from the first to the second
+    std::string kept{};                   // what else its file says of it, as JSON
 
     bool makes_point() const { return kind != Kind::flip; }
     friend bool operator==(const CellDetail&, const CellDetail&) = default;
@@ -40,6 +41,7 @@ struct CellDesign {
     struct Flat {
         bool keep = true;       // new points take what their neighbours were moved
         std::vector<int> fresh; // which of its points are new
+        std::string kept;       // what else its file says of it, as JSON
         friend bool operator==(const Flat&, const Flat&) = default;
     };
 

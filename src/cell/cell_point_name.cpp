@@ -57,7 +57,7 @@ std::optional<CellPointName> parse_cell_name(std::string_view text)
 CellPointName CellPointName::parse(std::string_view text)
 {
     if (const auto name = parse_cell_name(text)) return *name;
-    throw CommandError(fmt::format("'{}' is no name of a point: expected c0, x0:1, p0:i0 or s0, or of a pane v0, e0:1, i0 or s0", text));
+    throw CommandError(fmt::format("'{}' is no name of a point: expected c0, x0:1, p0:i0 or s0, or of a pane v0, e0:1, i0, s0 or s0@2 (on its side 2)", text));
 }
 
 std::string CellPointName::text() const

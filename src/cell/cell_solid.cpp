@@ -52,6 +52,23 @@ void inset(CellSolid& solid, double clearance)
     }
 }
 
+CellRefusal nothing_left(double clearance) { return {CellRefusal::Reason::vanishes, fmt::format("clearance {} leaves nothing of the cell", clearance)}; }
+
+/// Whether a solid that was moved inside came out on the other side. One that went through itself along one axis or three is inside out; along two it is turned
+/// half way round, and so are most of its triangles.
+bool is_turned(const CellSolid& before, const CellSolid& after)
+{
+    constexpr double least = 1e-9; // of the volume
+    if (!(volume(after) > least * volume(before))) return true;
+    double turned = 0, kept = 0; // areas
+    for (const auto& [a, b, c] : before.triangles) {
+        const Vector was = glm::cross(before.points[b] - before.points[a], before.points[c] - before.points[a]);
+        const Vector is = glm::cross(after.points[b] - after.points[a], after.points[c] - after.points[a]);
+        (glm::dot(was, is) < 0 ? turned : kept) += glm::length(was);
+    }
+    return turned >= kept;
+}
+
 /// The least distance between two panes of a pair before they are deformed.
 double least_width(const CellTile& tile)
 {
@@ -94,10 +111,17 @@ CellSolid make_solid(const CellTile& tile, double clearance, CellJoint joint)
                 solid.sides.push_back({p, far});
             }
         }
-    if (clearance > 0 && joint == CellJoint::inset) inset(solid, clearance);
+    if (clearance > 0 && joint == CellJoint::inset) {
+        Box box;
+        for (const Point& p : solid.points) box.add(p);
+        if (!(clearance < box.diagonal())) throw nothing_left(clearance);
+        const CellSolid whole = solid;
+        inset(solid, clearance);
+        if (is_turned(whole, solid)) throw nothing_left(clearance);
+    }
     if (clearance > 0 && joint == CellJoint::shrink) {
         const double scale = 1 - clearance / least_width(tile);
-        if (!(scale > 0)) throw CellRefusal(CellRefusal::Reason::vanishes, fmt::format("clearance {} leaves nothing of the cell", clearance));
+        if (!(scale > 0)) throw nothing_left(clearance);
         const Point centre = centre_of_mass(solid);
         for (Point& p : solid.points) p = centre + scale * (p - centre);
     }

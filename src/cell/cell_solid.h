@@ -30,7 +30,7 @@ struct CellSolid {
 /// With a clearance, joints between cells are at least about that wide, half of it taken from each. `inset`: a vertex goes where the planes of its triangles, moved inside by
 /// half the width, meet best, and on until none of them has moved by less, but no farther than four times the width. `shrink`: so that panes that are not deformed are that far apart.
 /// Cost: linear, a millisecond for 20 000 triangles.
-/// @throws CellRefusal vanishes where that leaves nothing
+/// @throws CellRefusal vanishes where that leaves nothing, or the solid would go through itself and come out turned
 CellSolid make_solid(const CellTile& tile, double clearance = 0, CellJoint joint = CellJoint::inset);
 
 double volume(const CellSolid& solid);

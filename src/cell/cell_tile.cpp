@@ -14,9 +14,10 @@ namespace {
 
 constexpr double least_determinant = 1e-6;
 
-void require_number(double x, const char* what)
+/// Cubes of sizes, and of differences that count, are numbers too.
+void require_size(double x, const char* what)
 {
-    if (!(std::abs(x) <= 1e100)) throw CommandError(fmt::format("{} {}: numbers go to 1e100", what, x));
+    if (!(x >= 1e-30 && x <= 1e30)) throw CommandError(fmt::format("{} {}: expected 1e-30 to 1e30", what, x));
 }
 
 double determinant_of(const CellMatrix& m)
@@ -39,11 +40,9 @@ void check_edge_points(int edge, const std::vector<double>& list, double weld)
 
 CellTile::CellTile(CellDesign design) : height_(design.height), kept_(std::move(design.kept))
 {
-    if (!(design.size > 0)) throw CommandError(fmt::format("size {}: expected above 0", design.size));
-    require_number(design.size, "size");
+    require_size(design.size, "size");
     if (height_ && design.cell != CellKind::hexprism) throw CommandError(fmt::format("only a hexprism has a height, not {}", druse::name(design.cell)));
-    if (height_ && !(*height_ > 0)) throw CommandError(fmt::format("height {}: expected above 0", *height_));
-    require_number(height_.value_or(1), "height");
+    if (height_) require_size(*height_, "height");
     size_ = design.size;
     cell_ = std::make_shared<const Parallelohedron>(make_parallelohedron(design.cell, size_, height_.value_or(size_)));
     set_matrix(design.matrix);
@@ -72,6 +71,7 @@ CellTile::CellTile(CellDesign design) : height_(design.height), kept_(std::move(
         require_pane(pane);
         Flat& own = flat_[pane];
         own.keep = flat.keep;
+        own.kept = flat.kept;
         own.fresh.assign(interior(pane).size(), false);
         for (const int i : flat.fresh) {
             if (i < 0 || i >= std::ssize(own.fresh)) throw CellRefusal(Reason::no_such_point, fmt::format("pane {} has no point i{}", pane, i));
@@ -86,7 +86,7 @@ CellTile::CellTile(CellDesign design) : height_(design.height), kept_(std::move(
 
     const auto is_split = [](const auto& item) { return item.first.kind == CellPointName::Kind::split; };
     for (const auto& item : design.moved) {
-        for (int k = 0; k < 3; ++k) require_number(item.second[k], "displacement");
+        check_moved(item.first, item.second);
         if (is_split(item)) continue;
         const int point = find(item.first);
         if (name(point) != item.first) throw CellRefusal(Reason::no_such_point, fmt::format("{} is moved as {}", item.first.text(), name(point).text()));
@@ -134,6 +134,7 @@ CellDesign CellTile::design() const
     for (const auto& [pane, flat] : flat_) {
         CellDesign::Flat& its = design.flat[pane];
         its.keep = flat.keep;
+        its.kept = flat.kept;
         for (std::size_t i = 0; i < flat.fresh.size(); ++i)
             if (flat.fresh[i]) its.fresh.push_back(static_cast<int>(i));
     }
@@ -153,7 +154,8 @@ Vector CellTile::world(const Vector& v) const
 
 void CellTile::set_matrix(const CellMatrix& matrix)
 {
-    for (const double x : matrix) require_number(x, "matrix");
+    for (const double x : matrix)
+        if (!(std::abs(x) <= 1e100)) throw CommandError(fmt::format("matrix {}: numbers go to 1e100", x));
     if (const double d = determinant_of(matrix); !(d > least_determinant))
         throw CellRefusal(Reason::flat_cell, fmt::format("the matrix has a determinant of {:.6g}, which must be above {:.6g}", d, least_determinant));
     matrix_ = matrix;
@@ -220,6 +222,12 @@ int CellTile::find(const CellPointName& name) const
         break;
     }
     throw CellRefusal(Reason::no_such_point, fmt::format("the cell has no point {}", name.text()));
+}
+
+OrbitMember CellTile::find_member(const CellPointName& name) const
+{
+    if (const int point = find(name); name.pane < 0) return {point, {}};
+    return pane_point(name.pane, find_in_pane(name.pane, name));
 }
 
 Point CellTile::base(int point) const
@@ -402,6 +410,7 @@ std::vector<std::array<CellTile::Index, 2>> CellTile::constrained_edges(int pane
 std::size_t CellTile::bytes() const
 {
     std::size_t sum = details_.size() * sizeof(CellDetail) + splits_.size() * sizeof(Split) + kept_.size();
+    for (const CellDetail& detail : details_) sum += detail.kept.size();
     for (std::size_t e = 0; e < edges_.size(); ++e) sum += edges_[e].size() * (sizeof(double) + sizeof(Vector));
     for (const auto& list : moved_)
         if (list.use_count() == 1) sum += list->size() * sizeof(Vector);

@@ -58,6 +58,8 @@ public:
     CellPointName name(int point) const;
     /// @throws CellRefusal no_such_point, also for a point of a pane that is not named
     int find(const CellPointName& name) const;
+    /// Where a name says which of an orbit it means, as p0:v2 does, that one; else the first.
+    OrbitMember find_member(const CellPointName& name) const;
     Point base(int point) const;    // as it was flat
     Vector moved(int point) const;
     Point position(int point) const { return base(point) + moved(point); }
@@ -95,13 +97,18 @@ public:
     // --- phase II ------------------------------------------------------------------------------------------------------------------------------------
     /// Enters phase II; or takes panes that were rolled back into it again.
     void shape();
+    /// @throws CommandError where a point is moved farther than coordinates reach
+    static void check_moved(const CellPointName& point, const Vector& by);
     /// Moves points with their orbits, each once however often it is given.
     void move(std::span<const int> points, const Vector& by);
     /// The direction from the centre through a point, or that of a pane's normal; of length 1.
-    Vector radial(int point) const;
+    Vector radial(const OrbitMember& point) const;
     Vector normal(int pane) const { return at_pane(pane).normal; }
     Vector in_plane(int pane, const Point2& by) const { return by.x * at_pane(pane).right + by.y * at_pane(pane).up; }
     CellPointName split_triangle(int pane, int triangle, const std::array<double, 3>& at);
+    /// An edge is told by its ends. Where one is a split that lies on two sides of the pane, the one that has the edge is meant. @throws CellRefusal no_such_edge, also
+    /// where both have
+    std::array<Index, 2> edge_between(int pane, const std::array<CellPointName, 2>& ends) const;
     /// Splits an edge of a pane with all triangles that it is a side of; one of a side of the pane, with its orbit.
     CellPointName split_edge(int pane, const CellPointName& from, const CellPointName& to, double t);
     void flip(int pane, const CellPointName& from, const CellPointName& to);
@@ -133,6 +140,7 @@ private:
     struct Flat {
         bool keep = true;
         std::vector<bool> fresh; // by point inside
+        std::string kept;        // of its file
     };
     template <class T>
     using Kept = std::shared_ptr<T>; // written to only by who has it alone
@@ -170,10 +178,11 @@ private:
     CellPointName add_detail(const CellDetail& detail);
     void split_side(int split, std::optional<int> only = {});
     void flip(const CellDetail& detail);
-    std::array<Index, 2> edge_of(const CellDetail& detail) const;
     bool is_side(const CellDetail& detail) const;
     bool has_edge(const OrbitMember& a, const OrbitMember& b) const;
-    CellPointName in_pane(int pane, const CellPointName& name) const;
+    std::array<CellPointName, 2> ends_in_pane(int pane, const CellPointName& from, const CellPointName& to) const;
+    std::vector<Index> places_in_pane(int pane, const CellPointName& name) const;
+    std::vector<PointId> line_points(int pane, std::span<const CellPointName> path) const;
     PaneMesh& edit_mesh(int pane) { return own(panes_[static_cast<std::size_t>(pane)]).mesh; }
     std::string named(int pane, const std::string& text) const;
 

@@ -184,17 +184,30 @@ void CellTile::move_point(const CellPointName& point, const Point2& to)
 void CellTile::remove_point(const CellPointName& point)
 {
     const int i = interior_number(point);
+    const std::size_t before = interior(point.pane).size();
     change_pane(point.pane, [&](Pane& pane) {
         pane.remove(pane_id(static_cast<Index>(i)));
         return pane_id(0);
     });
+    if (interior(point.pane).size() == before) notes_.push_back(fmt::format("{} stays: lines cross there", point.text()));
+}
+
+/// The points that a line runs along, in the triangulation of its pane.
+std::vector<PointId> CellTile::line_points(int p, std::span<const CellPointName> path) const
+{
+    std::vector<PointId> ids;
+    for (const CellPointName& name : path) {
+        const Index i = find_in_pane(p, name);
+        if (i >= mesh(p).own) throw CellRefusal(Reason::fixed, fmt::format("{} was made by a split in space: no line of the flat pane runs there", name.text()));
+        ids.push_back(pane_id(i));
+    }
+    return ids;
 }
 
 void CellTile::constrain(int p, std::span<const CellPointName> path)
 {
     require_flat(p, "lines");
-    std::vector<PointId> ids;
-    for (const CellPointName& name : path) ids.push_back(pane_id(find_in_pane(p, name)));
+    const std::vector<PointId> ids = line_points(p, path);
     change_pane(p, [&](Pane& pane) {
         pane.constrain(ids);
         return pane_id(0);
@@ -205,8 +218,7 @@ void CellTile::unconstrain(int p, std::span<const CellPointName> path)
 {
     require_flat(p, "lines");
     if (path.size() < 2) throw CommandError("a segment runs from one point to another");
-    std::vector<PointId> ids;
-    for (const CellPointName& name : path) ids.push_back(pane_id(find_in_pane(p, name)));
+    const std::vector<PointId> ids = line_points(p, path);
     change_pane(p, [&](Pane& pane) {
         const auto segment = segment_along(pane, ids);
         if (!segment)

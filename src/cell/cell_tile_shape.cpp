@@ -48,6 +48,11 @@ void CellTile::fill_fresh(int p)
     for (const Index i : unknown) list[i - rim] = values[i];
 }
 
+void CellTile::check_moved(const CellPointName& point, const Vector& by)
+{
+    if (!is_in_reach(by)) throw CommandError(fmt::format("{} would be farther than 1e38", point.text()));
+}
+
 void CellTile::move(std::span<const int> points, const Vector& by)
 {
     require_shaped("points move in space");
@@ -58,17 +63,17 @@ void CellTile::move(std::span<const int> points, const Vector& by)
     for (const int point : once) {
         const CellPointName its = name(point);
         if (its.kind == CellPointName::Kind::interior) require_not_flat(its.pane);
-        if (!is_in_reach(moved(point) + by)) throw CommandError(fmt::format("{} would be farther than 1e38", its.text()));
+        check_moved(its, moved(point) + by);
     }
     for (const int point : once) set_moved(point, moved(point) + by);
     for (const auto& [pane, flat] : flat_) fill_fresh(pane);
     notes_.clear();
 }
 
-Vector CellTile::radial(int point) const
+Vector CellTile::radial(const OrbitMember& point) const
 {
-    const Vector from_centre = direction(position(point));
-    if (from_centre == Vector(0.0)) throw CommandError(fmt::format("{} is the centre of the cell", name(point).text()));
+    const Vector from_centre = direction(position(point.orbit) + cell_->at(point.shift));
+    if (from_centre == Vector(0.0)) throw CommandError(fmt::format("{} is the centre of the cell", name(point.orbit).text()));
     return from_centre;
 }
 
@@ -111,7 +116,7 @@ void CellTile::split_at(const CellDetail& detail, std::optional<Vector> moved)
 {
     const int p = detail.pane, number = static_cast<int>(splits_.size());
     if (!(detail.t > 0 && detail.t < 1)) throw CommandError(fmt::format("t={}: expected above 0 and below 1", detail.t));
-    const auto [a, b] = edge_of(detail);
+    const auto [a, b] = edge_between(detail.pane, detail.edge);
     const OrbitMember from = pane_point(p, a), to = pane_point(p, b);
     Split split{p, -1, Point(0.0), Vector(0.0), {}};
     split.base = (1 - detail.t) * (base(from.orbit) + cell_->at(from.shift)) + detail.t * (base(to.orbit) + cell_->at(to.shift));
@@ -132,19 +137,33 @@ void CellTile::split_at(const CellDetail& detail, std::optional<Vector> moved)
     split_side(number);
 }
 
-/// The ends of the edge that a detail is about, in its pane.
-std::array<CellTile::Index, 2> CellTile::edge_of(const CellDetail& detail) const
+/// Where a name of a point is met in a pane: once, or on each side that a split of its edge orbit made it on.
+std::vector<CellTile::Index> CellTile::places_in_pane(int pane, const CellPointName& name) const
 {
-    const Index a = find_in_pane(detail.pane, detail.edge[0]), b = find_in_pane(detail.pane, detail.edge[1]);
-    if (!mesh(detail.pane).find(a, b) && !mesh(detail.pane).find(b, a))
-        throw CellRefusal(Reason::no_such_edge, fmt::format("pane {} has no edge between {} and {}", detail.pane, detail.edge[0].text(), detail.edge[1].text()));
-    return {a, b};
+    std::vector<Index> places{find_in_pane(pane, name)};
+    if (name.kind == CellPointName::Kind::split && name.side < 0)
+        for (Index i = places.front() + 1; i < mesh(pane).point_count(); ++i)
+            if (mesh(pane).made[i - mesh(pane).own].split == name.index) places.push_back(i);
+    return places;
+}
+
+std::array<CellTile::Index, 2> CellTile::edge_between(int pane, const std::array<CellPointName, 2>& ends) const
+{
+    std::vector<std::array<Index, 2>> found;
+    for (const Index a : places_in_pane(pane, ends[0]))
+        for (const Index b : places_in_pane(pane, ends[1]))
+            if (mesh(pane).find(a, b) || mesh(pane).find(b, a)) found.push_back({a, b});
+    if (found.size() == 1) return found.front();
+    const std::string between = fmt::format("between {} and {}", ends[0].text(), ends[1].text());
+    if (found.empty()) throw CellRefusal(Reason::no_such_edge, fmt::format("pane {} has no edge {}", pane, between));
+    throw CellRefusal(Reason::no_such_edge, fmt::format("pane {} has {} edges {}: say on which side, as {} to {}", pane, found.size(), between,
+                                                        pane_name(pane, found[0][0]).text(), pane_name(pane, found[0][1]).text()));
 }
 
 /// Whether that edge is one of the pane's outline.
 bool CellTile::is_side(const CellDetail& detail) const
 {
-    const auto [a, b] = edge_of(detail);
+    const auto [a, b] = edge_between(detail.pane, detail.edge);
     return !mesh(detail.pane).find(a, b) || !mesh(detail.pane).find(b, a);
 }
 
@@ -174,7 +193,7 @@ void CellTile::split_side(int split, std::optional<int> only)
 
 void CellTile::flip(const CellDetail& detail)
 {
-    const auto [a, b] = edge_of(detail);
+    const auto [a, b] = edge_between(detail.pane, detail.edge);
     const auto one = mesh(detail.pane).find(a, b), other = mesh(detail.pane).find(b, a);
     if (!one || !other)
         throw CellRefusal(Reason::fixed, fmt::format("{} to {} is a side of pane {}, which other panes have too", detail.edge[0].text(), detail.edge[1].text(), detail.pane));
@@ -226,7 +245,7 @@ CellPointName CellTile::split_edge(int pane, const CellPointName& from, const Ce
     CellDetail detail;
     detail.kind = CellDetail::Kind::edge;
     detail.pane = pane;
-    detail.edge = {in_pane(pane, from), in_pane(pane, to)};
+    detail.edge = ends_in_pane(pane, from, to);
     detail.t = t;
     return add_detail(detail);
 }
@@ -236,12 +255,16 @@ void CellTile::flip(int pane, const CellPointName& from, const CellPointName& to
     CellDetail detail;
     detail.kind = CellDetail::Kind::flip;
     detail.pane = pane;
-    detail.edge = {in_pane(pane, from), in_pane(pane, to)};
+    detail.edge = ends_in_pane(pane, from, to);
     add_detail(detail);
 }
 
-/// The name of a point in a pane as a design has it.
-CellPointName CellTile::in_pane(int pane, const CellPointName& name) const { return pane_name(pane, find_in_pane(pane, name)); }
+/// The ends of an edge as a design names them.
+std::array<CellPointName, 2> CellTile::ends_in_pane(int pane, const CellPointName& from, const CellPointName& to) const
+{
+    const auto [a, b] = edge_between(pane, {from, to});
+    return {pane_name(pane, a), pane_name(pane, b)};
+}
 
 // --- rolling back -------------------------------------------------------------------------------------------------------------------------
 
@@ -276,7 +299,7 @@ void CellTile::roll_back(int p, bool keep)
         for (int q = 0; q < pane_count(); ++q)
             if (q != p && !mesh(q).made.empty())
                 for (PaneMesh::Made& made : next.edit_mesh(q).made) made.split = number[static_cast<std::size_t>(made.split)];
-    next.flat_[p] = {keep, std::vector<bool>(interior(p).size(), false)};
+    next.flat_[p] = {keep, std::vector<bool>(interior(p).size(), false), {}};
     if (!keep) next.moved_[static_cast<std::size_t>(p)] = std::make_shared<std::vector<Vector>>(interior(p).size(), Vector(0.0));
     next.take_pane(p, next.make_pane(p));
     *this = std::move(next);

@@ -14,7 +14,7 @@ void info(const InfoRequest& request, Progress& progress)
     if (outcome.failed) throw CommandError(outcome.failure);
     const Scene& scene = document.scene();
     std::optional<SelfIntersections> met;
-    if (request.check) met = self_intersections(scene.mesh, progress);
+    if (request.check) met = self_intersections(scene, progress);
     print(request.json ? info_json(scene, request.input, met) + "\n" : info_text(scene, request.input, met));
     print_notes(outcome.notes);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 
 namespace druse {
 
@@ -97,7 +98,7 @@ private:
                 const std::string path = "shape.moved." + key;
                 CellPointName name;
                 file_.at(path, [&, text = std::string_view(key)] { name = CellPointName::parse(text); });
-                design.moved[name] = triple(value, path);
+                if (!design.moved.emplace(name, triple(value, path)).second) file_.fail(path, "is moved twice");
             }
         if (shape.contains("splits")) {
             const TileJson& splits = file_.list(shape["splits"], "shape.splits");
@@ -108,7 +109,10 @@ private:
         for (std::size_t i = 0; i < flat.size(); ++i) {
             const std::string path = fmt::format("shape.flat[{}]", i);
             if (!file_.object(flat[i], path).contains("pane")) file_.fail(path + ".pane", "is missing");
-            CellDesign::Flat& its = design.flat[file_.count(flat[i]["pane"], path + ".pane")];
+            const auto [entry, is_new] = design.flat.try_emplace(file_.count(flat[i]["pane"], path + ".pane"));
+            if (!is_new) file_.fail(path + ".pane", fmt::format("{} is there twice", entry->first));
+            CellDesign::Flat& its = entry->second;
+            its.kept = others(flat[i], {"pane", "keep", "new"});
             if (flat[i].contains("keep")) {
                 if (!flat[i]["keep"].is_boolean()) file_.fail(path + ".keep", "expected true or false");
                 its.keep = flat[i]["keep"].get<bool>();
@@ -133,6 +137,7 @@ private:
     CellDetail detail(const TileJson& j, const std::string& path) const
     {
         CellDetail detail;
+        detail.kept = others(j, {"pane", "triangle", "at", "edge", "t", "flip"});
         if (!file_.object(j, path).contains("pane")) file_.fail(path + ".pane", "is missing");
         detail.pane = file_.count(j["pane"], path + ".pane");
         const auto ends = [&](const char* key) {
@@ -156,6 +161,15 @@ private:
             file_.fail(path, "expected a triangle, an edge or a flip");
         }
         return detail;
+    }
+
+    /// What an object says beside what a cell reads of it; empty where that is all.
+    static std::string others(const TileJson& j, std::initializer_list<const char*> known)
+    {
+        if (!j.is_object()) return {};
+        TileJson rest = j;
+        for (const char* key : known) rest.erase(key);
+        return rest.empty() ? std::string() : rest.dump();
     }
 
     /// The file without what the cell tells, but for the order of its keys.
@@ -189,7 +203,10 @@ private:
         part.flat.clear();
         part.matrix = CellDesign().matrix;
         const auto attempt = [&](const std::string& path) { file_.at(path, [&] { const CellTile trial(part); }); };
-        attempt(design.height ? "height" : "size");
+        part.height.reset();
+        attempt("size");
+        part.height = design.height;
+        attempt("height");
         part.matrix = design.matrix;
         attempt("matrix");
         for (std::size_t e = 0; e < design.edges.size(); ++e) {
@@ -225,6 +242,7 @@ private:
             file_.at("shape.moved." + name.text(), [&] {
                 const CellPointName its = unmoved.name(unmoved.find(name));
                 if (its != name) throw CommandError("is called " + its.text() + " there");
+                CellTile::check_moved(name, by);
             });
         part.moved = design.moved;
         attempt("shape.moved");
@@ -242,6 +260,12 @@ TileJson names_json(std::span<const CellPointName> names)
     return list;
 }
 
+/// Adds what an object of a file said beside what a cell reads of it.
+void add_others(TileJson& j, const std::string& kept)
+{
+    if (!kept.empty()) j.update(TileJson::parse(kept));
+}
+
 TileJson detail_json(const CellDetail& detail)
 {
     TileJson j = TileJson::object();
@@ -257,6 +281,7 @@ TileJson detail_json(const CellDetail& detail)
         break;
     case CellDetail::Kind::flip: j["flip"] = names_json(detail.edge); break;
     }
+    add_others(j, detail.kept);
     return j;
 }
 
@@ -307,6 +332,7 @@ TileJson cell_json(const CellTile& tile)
         entry["keep"] = its.keep;
         TileJson& fresh = entry["new"] = TileJson::array();
         for (const int i : its.fresh) fresh.push_back(CellPointName::interior(-1, i).text());
+        add_others(entry, its.kept);
     }
     return j;
 }

@@ -55,13 +55,27 @@ struct CellAssemble : CellBody {
     CellColour color = CellColour::type;
 };
 
+/// Tells of joints that are narrower than asked for, where they can be measured.
+void look_at_joints(const CellTile& tile, const CellSolid& solid, double clearance, Context& context)
+{
+    try {
+        if (const auto narrow = narrow_joints(tile, solid, clearance, context.progress)) context.note(*narrow);
+    } catch (const CommandError& error) {
+        context.note(fmt::format("the joints were not measured: {}", error.what()));
+    }
+}
+
 /// Tells of a cell that meets itself, and so its neighbours. With joints that is refused: who asks for them prints.
 void look_at_contacts(const CellTile& tile, const CellBody& body, Context& context)
 {
     MeshBuilder builder;
-    add_solid(builder, make_solid(tile, body.clearance, body.method), std::array{0});
+    const CellSolid solid = make_solid(tile, body.clearance, body.method);
+    add_solid(builder, solid, std::array{0});
     const SelfIntersections met = self_intersections(builder.build(), context.progress);
-    if (met.pairs == 0) return;
+    if (met.pairs == 0) {
+        if (body.clearance > 0) look_at_joints(tile, solid, body.clearance, context);
+        return;
+    }
     const std::string what = fmt::format("the cell meets its neighbours in {} pair{} of triangles; cell.check says where", met.pairs, met.pairs == 1 ? "" : "s");
     if (body.clearance > 0) throw CellRefusal(CellRefusal::Reason::pierced, what);
     context.note(what);
@@ -123,7 +137,7 @@ void run_cell_check(Scene& scene, const CellCheckParameters& p, Context& context
     for (const Vector& direction : found.free) json["free"].push_back(vector_json(direction));
     json["interlocked"] = found.self_intersections == 0 ? nlohmann::ordered_json(found.free.empty()) : nlohmann::ordered_json(nullptr);
     if (found.has_clearance) {
-        json["clearance"] = found.clearance;
+        json["clearance"] = found.vanishes ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(found.clearance);
         json["volume_left"] = found.volume_left;
     }
     context.output = json.dump();

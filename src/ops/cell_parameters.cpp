@@ -1,5 +1,6 @@
 #include "ops/cell_parameters.h"
 
+#include "cell/cell_solid.h"
 #include "cell/cell_tile.h"
 #include "ops/scene.h"
 #include "pane/name_scanner.h"
@@ -20,6 +21,12 @@ bool is_cell_word(std::string_view t)
 }
 
 } // namespace
+
+SpaceVector ParameterType<SpaceVector>::parse(std::string_view t, const Domain& d)
+{
+    check_length(split(t, ',').size(), Range{3, 3}, "numbers");
+    return {ParameterType<Vector>::parse(t, d)};
+}
 
 CellPath ParameterType<CellPath>::parse(std::string_view t, const Domain& d)
 {
@@ -65,22 +72,36 @@ std::string ParameterType<CellPoints>::text(const CellPoints& x, const Domain&)
     return text;
 }
 
-std::vector<int> CellPoints::resolve(const CellTile& tile, const Selection& selection) const
+namespace {
+
+/// Which points the vertices of a mesh are, where it is the solid of the cell.
+std::vector<OrbitMember> points_of_vertices(const CellTile& tile, const Mesh& mesh)
 {
-    std::vector<int> points;
+    const CellSolid solid = make_solid(tile);
+    bool same = mesh.vertex_count() == solid.points.size() && mesh.face_count() == solid.triangles.size();
+    for (const Vertex v : mesh.vertices()) same = same && v.index < solid.points.size() && mesh.position(v) == solid.points[v.index];
+    if (!same) throw CommandError("points=selected: the mesh is not the solid of this cell as it is now: run cell.solid and select again");
+    std::vector<OrbitMember> points; // in the order of make_solid()
+    for (int i = 0; i < tile.point_count(); ++i)
+        for (const LatticeStep& step : tile.members(i)) points.push_back({i, step});
+    return points;
+}
+
+} // namespace
+
+std::vector<OrbitMember> CellPoints::resolve(const CellTile& tile, const Mesh& mesh, const Selection& selection) const
+{
+    std::vector<OrbitMember> points;
     for (const std::string& word : words) {
         if (word == "selected") {
-            std::vector<int> of_vertex; // in the order of make_solid()
-            for (int i = 0; i < tile.point_count(); ++i) of_vertex.insert(of_vertex.end(), tile.members(i).size(), i);
-            const std::size_t before = points.size();
-            for (const Vertex v : selection.vertices)
-                if (v.index < of_vertex.size()) points.push_back(of_vertex[v.index]);
-            if (points.size() == before) throw CommandError("points=selected: no points of the cell are selected");
+            if (selection.vertices.empty()) throw CommandError("points=selected: no points of the cell are selected");
+            const std::vector<OrbitMember> of_vertex = points_of_vertices(tile, mesh);
+            for (const Vertex v : selection.vertices) points.push_back(of_vertex[v.index]);
         } else if (is_cell_word(word)) {
             for (int i = 0; i < tile.point_count(); ++i)
-                if (word == "all" || (word == "interior" && tile.pane_of(i) >= 0) || (word == "outline" && tile.pane_of(i) < 0)) points.push_back(i);
+                if (word == "all" || (word == "interior" && tile.pane_of(i) >= 0) || (word == "outline" && tile.pane_of(i) < 0)) points.push_back({i, {}});
         } else {
-            points.push_back(tile.find(CellPointName::parse(word)));
+            points.push_back(tile.find_member(CellPointName::parse(word)));
         }
     }
     return points;

@@ -3,6 +3,7 @@
 // How points, edges and triangles of a cell are parameters.
 
 #include "cell/cell_point_name.h"
+#include "cell/parallelohedron.h"
 #include "ops/pane_parameters.h"
 
 #include <string>
@@ -11,6 +12,7 @@
 namespace druse {
 
 class CellTile;
+class Mesh;
 struct Selection;
 
 template <>
@@ -18,6 +20,17 @@ struct ParameterType<CellPointName> {
     static constexpr auto type = Parameter::Type::text;
     static CellPointName parse(std::string_view t, const Domain&) { return CellPointName::parse(t); }
     static std::string text(const CellPointName& x, const Domain&) { return x.text(); }
+};
+
+/// A vector in space: all three of its numbers.
+struct SpaceVector {
+    Vector v{0.0};
+};
+template <>
+struct ParameterType<SpaceVector> {
+    static constexpr auto type = Parameter::Type::point;
+    static SpaceVector parse(std::string_view t, const Domain& d);
+    static std::string text(const SpaceVector& x, const Domain& d) { return ParameterType<Vector>::text(x.v, d); }
 };
 
 /// Names of points in one pane, as `v0,i0`.
@@ -43,12 +56,13 @@ struct ParameterType<CellTriangle> {
 };
 
 /// Points of a cell: names, or `all`, `outline` (corners and points of edges), `interior`, `none` and `selected`, which are the selected vertices of the mesh that
-/// cell.solid made, by number.
+/// cell.solid made of the cell as it is, by number.
 struct CellPoints {
     std::vector<std::string> words;
 
-    /// In the order in which they are named, each perhaps more than once. @throws CommandError where there is no such point
-    std::vector<int> resolve(const CellTile& tile, const Selection& selection) const;
+    /// In the order in which they are named, each perhaps more than once; of an orbit the one that is named or selected, else the first.
+    /// @throws CommandError where there is no such point, none is selected, or the mesh is not that solid
+    std::vector<OrbitMember> resolve(const CellTile& tile, const Mesh& mesh, const Selection& selection) const;
 };
 template <>
 struct ParameterType<CellPoints> {

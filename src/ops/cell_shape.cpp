@@ -14,43 +14,45 @@ struct CellShape {};
 
 struct CellMove {
     CellPoints points;
-    std::optional<Vector> by;
-    std::optional<OrWord<Vector>> along;
+    std::optional<SpaceVector> by;
+    std::optional<OrWord<SpaceVector>> along;
     std::optional<double> amount;
     std::optional<int> pane;
     std::optional<Point2> plane;
 };
 
-Vector direction_along(const CellTile& cell, const CellMove& p, const std::vector<int>& points)
+Vector direction_along(const CellTile& cell, const CellMove& p, const OrbitMember& last)
 {
     const std::string& word = p.along->word;
     if (word == "x") return {1, 0, 0};
     if (word == "y") return {0, 1, 0};
     if (word == "z") return {0, 0, 1};
-    if (word == "radial") return cell.radial(points.back());
+    if (word == "radial") return cell.radial(last);
     if (word == "normal") {
-        const int pane = p.pane.value_or(cell.pane_of(points.back()));
-        if (pane < 0) throw CommandError(fmt::format("along=normal: {} is in several panes: say which, by pane=", cell.name(points.back()).text()));
+        const int pane = p.pane.value_or(cell.pane_of(last.orbit));
+        if (pane < 0) throw CommandError(fmt::format("along=normal: {} is in several panes: say which, by pane=", cell.name(last.orbit).text()));
         if (pane >= cell.pane_count()) throw CellRefusal(CellRefusal::Reason::no_such_pane, fmt::format("the cell has {} pairs of panes, from 0 on", cell.pane_count()));
         return cell.normal(pane);
     }
-    const Vector v = direction(p.along->value);
+    const Vector v = direction(p.along->value.v);
     if (v == Vector(0.0)) throw CommandError("along=0,0,0 is no direction");
     return v;
 }
 
 void run_cell_move(Scene& scene, const CellMove& p, Context& context)
 {
-    const Selection& selection = *scene.selection;
     if (p.along.has_value() != p.amount.has_value()) throw CommandError("along= and amount= are given together");
+    if (p.pane && !p.plane && !(p.along && p.along->word == "normal")) throw CommandError("pane= says whose plane or normal is meant: it goes with plane= or along=normal");
     if (p.plane && !p.pane) throw CommandError("plane= is of a pane: say which, by pane=");
     edit_cell(scene, context, [&](CellTile& cell) {
         if (cell.phase() != 2) throw CellRefusal(CellRefusal::Reason::phase, "points move in space after cell.shape");
-        const std::vector<int> points = p.points.resolve(cell, selection);
-        if (points.empty()) return;
+        const std::vector<OrbitMember> members = p.points.resolve(cell, scene.mesh, *scene.selection);
+        if (members.empty()) return;
+        std::vector<int> points;
+        for (const OrbitMember& member : members) points.push_back(member.orbit);
         if (p.plane && *p.pane >= cell.pane_count())
             throw CellRefusal(CellRefusal::Reason::no_such_pane, fmt::format("the cell has {} pairs of panes, from 0 on", cell.pane_count()));
-        cell.move(points, p.by ? *p.by : p.plane ? cell.in_plane(*p.pane, *p.plane) : *p.amount * direction_along(cell, p, points));
+        cell.move(points, p.by ? p.by->v : p.plane ? cell.in_plane(*p.pane, *p.plane) : *p.amount * direction_along(cell, p, members.back()));
     });
 }
 
@@ -126,7 +128,7 @@ Operator cell_split_edge_operator()
     using P = CellSplitEdge;
     return define<P>("cell.split_edge", "Split an edge of a pane, and all triangles that it is a side of")
         .param(&P::pane, "pane", Unit::count, {0, 6}, "in which pair of panes")
-        .param(&P::edge, "edge", Unit::none, {}, Range{2, 2}, "its two ends, as v0,i0")
+        .param(&P::edge, "edge", Unit::none, {}, Range{2, 2}, "its two ends, as v0,i0; a split on two sides of the pane is s0@2 on side 2")
         .required()
         .param(&P::t, "t", Unit::ratio, between(0, 1), "where, from the first to the second")
         .keeps_euler()
@@ -142,7 +144,7 @@ Operator cell_flip_operator()
     using P = CellFlip;
     return define<P>("cell.flip", "Turn an edge between two triangles of a pane into the other diagonal")
         .param(&P::pane, "pane", Unit::count, {0, 6}, "in which pair of panes")
-        .param(&P::edge, "edge", Unit::none, {}, Range{2, 2}, "its two ends, as v0,i0")
+        .param(&P::edge, "edge", Unit::none, {}, Range{2, 2}, "its two ends, as v0,i0; a split on two sides of the pane is s0@2 on side 2")
         .required()
         .keeps_euler()
         .example("cell.flip pane=1 edge=v1,i0")

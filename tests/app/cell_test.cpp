@@ -106,7 +106,13 @@ TEST(CellInDocument, RefusesByOneWordAndStaysAsItWas)
                           Case{"cell.move points=p3:i0 by=1,0,0", "cell.move: phase: "}, Case{"cell.split face=p0:900 at=0.2,0.3,0.5", "cell.split: no-such-triangle: "},
                           Case{"cell.split face=p0:0 at=0.2,0.3,0.6", "cell.split: at=0.2,0.3,0.6: "}, Case{"cell.rollback pane=3", "cell.rollback: phase: "},
                           Case{"cell.move points=c0 along=normal amount=1", "cell.move: along=normal: c0 is in several panes"},
-                          Case{"cell.move points=c0 along=x", "cell.move: along= and amount="}, Case{"cell.edge_add edge=11", "cell.edge_add: no-such-edge"}}) {
+                          Case{"cell.move points=c0 along=x", "cell.move: along= and amount="}, Case{"cell.move points=c0 by=1,2", "cell.move: by=1,2: expected 3 numbers"},
+                          Case{"cell.move points=c0 along=1,1 amount=1", "cell.move: along=1,1: expected 3 numbers"},
+                          Case{"cell.move points=c0 by=1,2,3 pane=0", "cell.move: pane= says whose plane or normal"},
+                          Case{"cell.move points=c0 along=x amount=1 pane=0", "cell.move: pane= says whose plane or normal"},
+                          Case{"cell.new size=1e-300", "cell.new: size 1e-300: expected 1e-30 to 1e30"},
+                          Case{"cell.new cell=hexprism size=1 height=1e-200", "cell.new: height 1e-200: expected 1e-30 to 1e30"},
+                          Case{"cell.solid clearance=1e300", "cell.solid: vanishes: "}, Case{"cell.assemble clearance=100", "cell.assemble: vanishes: "}, Case{"cell.edge_add edge=11", "cell.edge_add: no-such-edge"}}) {
         Document document = shaped_cell();
         const CellDesign before = cell_in(document).design();
         EXPECT_TRUE(complaint(document, c.command).starts_with(c.complaint)) << complaint(document, c.command);
@@ -179,6 +185,66 @@ TEST(CellOperators, MissPointsWhereNoneAreSelected)
     document.apply("select.vertices vertices=none");
     EXPECT_EQ(complaint(document, "cell.move points=selected by=0,0,1"), "cell.move: points=selected: no points of the cell are selected");
     EXPECT_EQ(complaint(document, "cell.move points=none by=0,0,1"), "");
+}
+
+TEST(CellOperators, TakeSelectedVerticesOfTheSolidOnly)
+{
+    Document document(all_operators());
+    for (const char* command : {"cell.new cell=cube size=4", "cell.shape", "cell.solid", "select.vertices vertices=7"}) document.apply(command);
+    const Point corner = document.scene().mesh.position(Vertex(7));
+    EXPECT_EQ(complaint(document, "cell.move points=selected along=radial amount=1"), "");
+    // All eight corners are one orbit: they move as the selected one says.
+    EXPECT_LT(glm::length(cell_in(document).moved(0) - glm::normalize(corner)), 1e-12);
+    const char* refused = "cell.move: points=selected: the mesh is not the solid of this cell as it is now: run cell.solid and select again";
+    EXPECT_EQ(complaint(document, "cell.move points=selected by=0,0,1"), refused); // it was moved
+    document.apply("cell.assemble");
+    document.apply("select.vertices vertices=0");
+    EXPECT_EQ(complaint(document, "cell.move points=selected by=0,0,1"), refused);
+}
+
+TEST(CellOperators, MoveAlongTheCornerThatIsNamed)
+{
+    for (const char* corner : {"0", "1", "2", "3"}) {
+        Document document(all_operators());
+        for (const char* command : {"cell.new cell=cube size=4", "cell.shape"}) document.apply(command);
+        const CellTile before = cell_in(document);
+        document.apply(std::string("cell.move points=p0:v") + corner + " along=radial amount=1");
+        const Point place = before.cell().corner(before.cell().panes[0].corners[std::size_t(corner[0] - '0')]);
+        EXPECT_LT(glm::length(cell_in(document).moved(0) - glm::normalize(place)), 1e-12) << corner;
+    }
+}
+
+TEST(CellInfo, TellsWhereItsSolidMeetsItself)
+{
+    Document document(all_operators());
+    Progress progress;
+    for (const char* command : {"cell.new cell=cube size=4", "cell.point_add pane=0 at=0,0", "cell.shape"}) document.apply(command);
+    const auto told = [&] { return CellJson::parse(info_json(document.scene(), "a.tile", self_intersections(document.scene(), progress)))["self_intersections"]; };
+    EXPECT_EQ(told(), 0);
+    document.apply("cell.move points=p0:i0 by=-1,7,0"); // through a side
+    EXPECT_GT(int(told()), 0);
+    EXPECT_EQ(info_text(document.scene(), "a.tile", self_intersections(document.scene(), progress)).find("self-intersections     none"), std::string::npos);
+}
+
+TEST(CellFile, KeepsWhatElseIsSaidOfSplitsAndRefusesWhatIsThereTwice)
+{
+    const Folder folder;
+    const std::string good = saved_cell(shaped_cell(), folder, "a.tile");
+    const auto with = [&](const std::string& from, const std::string& to) {
+        std::string text = good;
+        EXPECT_NE(text.find(from), std::string::npos) << from;
+        folder.write("b.tile", text.replace(text.find(from), from.size(), to));
+        try {
+            return saved_cell(opened_cell(folder.path() / "b.tile"), folder, "c.tile");
+        } catch (const std::exception& e) {
+            return std::string(e.what());
+        }
+    };
+    EXPECT_NE(with("\"new\": [\"i1\"]", "\"new\": [\"i1\"], \"note\": \"mine\"").find("\"note\": \"mine\""), std::string::npos);
+    EXPECT_NE(with("\"triangle\": 2", "\"note\": \"mine\", \"triangle\": 2").find("\"note\": \"mine\""), std::string::npos);
+    EXPECT_NE(with("\"c2\":", "\"c02\": [1, 2, 3], \"c2\":").find("11: shape.moved.c2: is moved twice"), std::string::npos);
+    EXPECT_NE(with("\"flat\": [", "\"flat\": [{\"pane\": 3}, ").find("shape.flat[1].pane: 3 is there twice"), std::string::npos);
+    EXPECT_NE(with("\"c2\": [1,", "\"c2\": [1e39,").find("11: shape.moved.c2: c2 would be farther than 1e38"), std::string::npos);
 }
 
 } // namespace

@@ -237,6 +237,72 @@ TEST(CellClearance, LeavesJointsOfItsWidth)
     EXPECT_THROW(make_solid(CellTile::of_kind(CellKind::cube, 10), 11, CellJoint::shrink), CellRefusal);
 }
 
+TEST(CellClearance, IsRefusedWhereTheSolidWouldComeOutTurned)
+{
+    const CellMatrix plate{1, 0, 0, 0, 1, 0, 0, 0, 0.01}, rod{1, 0, 0, 0, 0.01, 0, 0, 0, 0.01};
+    struct Case {
+        CellKind kind;
+        double size;
+        std::optional<double> height;
+        CellMatrix matrix;
+        double clearance;
+    };
+    const CellMatrix none = CellDesign().matrix;
+    for (const Case& c : {Case{CellKind::hexprism, 4, 0.3, none, 0.4}, Case{CellKind::cube, 20, {}, plate, 0.4}, Case{CellKind::cube, 20, {}, rod, 0.4}, Case{CellKind::cube, 4, {}, none, 5},
+                          Case{CellKind::cube, 4, {}, none, 4}, Case{CellKind::fcc, 1, {}, none, 3}, Case{CellKind::fcc, 1, {}, none, 100}, Case{CellKind::fcc, 4, {}, none, 1e300}}) {
+        CellTile tile = CellTile::of_kind(c.kind, c.size, c.height);
+        tile.set_matrix(c.matrix);
+        EXPECT_THROW(make_solid(tile, c.clearance), CellRefusal) << name(c.kind) << " " << c.clearance;
+        Progress progress;
+        const CellCheck found = check(tile, {.clearance = c.clearance}, progress);
+        EXPECT_TRUE(found.vanishes);
+        ASSERT_EQ(found.faults.size(), 1u);
+        EXPECT_TRUE(found.faults[0].starts_with("vanishes: clearance ")) << found.faults[0];
+    }
+    EXPECT_NEAR(volume(make_solid(CellTile::of_kind(CellKind::cube, 4), 3.9)), 1e-3, 1e-9);
+}
+
+TEST(CellClearance, TellsOfJointsThatAreNarrower)
+{
+    CellTile tile = CellTile::of_kind(CellKind::cube, 10);
+    Progress progress;
+    EXPECT_EQ(narrow_joints(tile, make_solid(tile, 0.4), 0.4, progress), std::nullopt);
+    EXPECT_EQ(narrow_joints(tile, make_solid(tile, 0.3), 0.4, progress), "joints are 0.3 wide at the narrowest, not 0.4");
+    // A wall between two neighbours that is steep: the shrunk cell moves along it.
+    tile.add_edge_point(0, 0.5);
+    tile.shape();
+    tile.move(std::array{tile.find(CellPointName::edge(0, 0))}, Vector(3, 2, 4));
+    EXPECT_NE(narrow_joints(tile, make_solid(tile, 0.4, CellJoint::shrink), 0.4, progress), std::nullopt);
+}
+
+TEST(CellSplit, OnTwoSidesIsTheOneThatHasTheEdge)
+{
+    CellTile tile = CellTile::of_kind(CellKind::cube, 4); // opposite sides of a pane are of one orbit
+    tile.shape();
+    const CellPointName v0 = CellPointName::parse("v0"), v1 = CellPointName::parse("v1"), v2 = CellPointName::parse("v2"), v3 = CellPointName::parse("v3"), s0 = CellPointName::parse("s0");
+    tile.split_edge(0, v0, v1, 0.5);
+    int split = 0;
+    for (const CellPointName& corner : {v0, v1, v2, v3}) { // each is at the end of one half of one of the two sides
+        CellTile trial = tile;
+        const auto [a, b] = trial.edge_between(0, {CellPointName::split(0, corner == v0 || corner == v1 ? 0 : 2), corner});
+        EXPECT_TRUE(trial.mesh(0).find(a, b) || trial.mesh(0).find(b, a));
+        try {
+            trial.split_edge(0, s0, corner, 0.5);
+            ++split;
+        } catch (const CellRefusal& refusal) { // a diagonal goes there as well
+            EXPECT_NE(std::string(refusal.what()).find("say on which side, as s0@"), std::string::npos) << refusal.what();
+        }
+    }
+    EXPECT_EQ(split, 2);
+    tile.roll_back(0);
+    try {
+        tile.constrain(0, std::array{v2, s0});
+        ADD_FAILURE() << "runs to a split";
+    } catch (const CellRefusal& refusal) {
+        EXPECT_STREQ(refusal.what(), "fixed: s0 was made by a split in space: no line of the flat pane runs there");
+    }
+}
+
 TEST(CellCheck, StopsWhenItIsCancelled)
 {
     const CellTile cube = CellTile::of_kind(CellKind::cube, 10);
