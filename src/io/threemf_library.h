@@ -4,7 +4,6 @@
 #include <Model/COM/NMR_DLLInterfaces.h>
 
 #include <clocale>
-#include <exception>
 #include <string>
 #include <utility>
 

@@ -139,10 +139,8 @@ void CellWindow::make_view(View& view, Viewport& port, CellTool*& tool)
     view.on_event = [this, &view](const std::string& line) { event(&view == &far_ ? "opposite " + line : line); };
     view.on_menu = [tool](const Pointer& pointer) { tool->pick_pane(pointer); };
     port.on_frame = [this, &view](int frame) {
-        if (&view == &near_) {
-            event("frame " + std::to_string(frame));
-            skew_.redraw(); // it turns with the camera
-        }
+        if (&view == &near_) event("frame " + std::to_string(frame));
+        skew_.redraw(); // it turns with the camera, which the other view may turn alone
         if (near_.is_animating() || far_.is_animating()) animate_.start(cell_frame_time);
     };
     port.on_drop = [this](const std::string& uris) { files_.drop(uris); };
