@@ -152,8 +152,8 @@ public:
     };
     static constexpr std::size_t most_refined = 1'000'000; // points that one refinement may make
     /// Adds points until no angle is smaller than asked for, but those that lines of the pane make: Ruppert's method, with Shewchuk's shells of lengths
-    /// about sharp corners. Areas are brought down beside edges that may not be split too, where the angles stay small. Of points it makes fifty for each that was there, and
-    /// what the areas take beside. Refused: angle-too-large; range, where the areas take more than most_refined. @throws Cancelled through `progress`
+    /// about sharp corners. Areas are brought down beside edges that may not be split too, where the angles stay small. Angles above 20.7 degrees it may not meet: then it
+    /// ends at fifty points for each that was there, and what areas take beside. Refused: angle-too-large; range, where the areas take more than most_refined. @throws Cancelled through `progress`
     Refined refine(const Refinement& refinement, Progress* progress = nullptr);
     Refined refine() { return refine(Refinement()); }
     /// Removes the points of the last refinement that are still there and free.

@@ -15,6 +15,8 @@ using Index = Pane::Index;
 
 namespace {
 
+constexpr double surely_met = 20.7; // degrees up to which refinement is known to end
+
 // What is made in turn follows the places of points, never the numbers of faces and vertices: those differ between a pane and the same one read from a
 // file.
 
@@ -57,8 +59,9 @@ public:
         if (const double least = (pieces - double(pane.triangle_count())) / 2; !(least <= double(Pane::most_refined)))
             pane.refuse(Pane::Reason::range, fmt::format("max_area={}: it takes {:.3g} points and more, and {} are the most; expected well above {:.3g}", *asked.max_area, least,
                                                          Pane::most_refined, doubled / 2 / (2 * double(Pane::most_refined) + double(pane.triangle_count()))));
-        most_ = std::min(Pane::most_refined, 50 * pane.state_.points + static_cast<std::size_t>(8 * pieces));
-        expected_ = asked.max_area ? pieces : double(most_);
+        const std::size_t tried = 50 * pane.state_.points + static_cast<std::size_t>(8 * pieces);
+        most_ = asked.min_angle <= surely_met ? Pane::most_refined : std::min(Pane::most_refined, tried);
+        expected_ = asked.max_area ? pieces : double(tried);
     }
 
     Pane::Refined run()

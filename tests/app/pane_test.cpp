@@ -192,7 +192,7 @@ TEST(PaneOperators, SayWhatARefinementCouldNotDo)
     EXPECT_TRUE(larger[0].ends_with(" of them larger")) << larger[0];
     document.apply(square_pane);
     for (int i = 0; i < 7; ++i) document.apply(fmt::format("pane.constrain line=5,5,{},{}", 5 + 4 * std::cos(0.03 * i), 5 + 4 * std::sin(0.03 * i)));
-    const auto stopped = notes_of(document, "pane.refine boundary=split");
+    const auto stopped = notes_of(document, "pane.refine min_angle=30 boundary=split");
     ASSERT_EQ(stopped.size(), 2u);
     EXPECT_TRUE(stopped[0].starts_with("stopped at 60")) << stopped[0]; // fifty for each of twelve
     EXPECT_TRUE(stopped[1].ends_with(" fall short of what was asked for")) << stopped[1];
