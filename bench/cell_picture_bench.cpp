@@ -33,7 +33,7 @@ Document document_with_cell(const char* kind, int points)
             const Point2 &a = its.outline[i], &b = its.outline[(i + 1) % its.outline.size()];
             area += 0.5 * (a.x * b.y - a.y * b.x);
         }
-        document.apply(fmt::format("cell.refine pane={} max_area={}", pane, 0.44 * area * panes / points));
+        document.apply(fmt::format("cell.refine pane={} max_area={}", pane, 0.78 * area * panes / points));
     }
     return document;
 }
@@ -61,7 +61,7 @@ void drag_cell(benchmark::State& state, const char* kind, bool shaped, F&& comma
     state.counters["p99_ms"] = times[times.size() * 99 / 100];
     state.counters["orbits"] = cell_in(document).point_count();
     state.counters["triangles"] = double(picture.solid().triangles.size());
-    state.counters["drawn"] = double(picture.lists().triangle_count());
+    state.counters["drawn"] = double(picture.lists().triangle_count() * (1 + picture.lists().copies().size()));
 }
 
 void MovePoint(benchmark::State& state, const char* kind)
