@@ -104,6 +104,7 @@ private:
         render_app_->add_option("-o,--output", render_.output, "the picture, a .png file; - is standard output")->required();
         render_app_->add_option("--format", render_.format, "the format of the model from -");
         render_app_->add_option("--size", size_, "in pixels, WxH")->capture_default_str();
+        CLI::Option* const flat = render_app_->add_flag("--flat", render_.flat, "show the flat tiling of a layered tile, as its .svg does");
         render_app_->add_option("--view", view_, "iso, front, back, left, right, top, bottom or AZ,EL in degrees")->capture_default_str();
         render_app_->add_flag("--parallel", render_.options.parallel, "without perspective");
         render_app_->add_option("--shading", shading_, "flat or smooth")->capture_default_str();
@@ -112,6 +113,7 @@ private:
         render_app_->add_flag("--groups", render_.options.groups, "show face groups in their colours");
         render_app_->add_flag("--transparent", render_.options.transparent, "no background");
         render_app_->add_option("--background", background_, "one colour, #rrggbb");
+        for (const char* other : {"--view", "--parallel", "--shading", "--smooth", "--edges", "--groups", "--transparent"}) flat->excludes(other);
     }
 
     void add_ops()

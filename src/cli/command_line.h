@@ -30,6 +30,7 @@ struct InfoRequest {
 struct RenderRequest {
     std::string input, format, output;
     bool smooth = false;
+    bool flat = false; // the tiling of a tile, in the plane
     StillOptions options;
 };
 

@@ -1,10 +1,12 @@
 #include "app/registry.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/flat_tiling.h"
 #include "dlfl/errors.h"
 #include "io/output.h"
 #include "ops/shown_lines.h"
 #include "ops/smooth_surface.h"
+#include "ops/tile.h"
 #include "render/png.h"
 #include "render/still.h"
 
@@ -15,6 +17,7 @@ namespace {
 Image picture_of(const Scene& scene, const RenderRequest& request, Progress& progress)
 {
     const GroupColours colours = [&](int group) { return scene.groups->colour(group); };
+    if (request.flat) return flat_tiling(tile_of(scene), request.options);
     if (const ShownLines lines(scene); lines.graph()) return draw_still(*lines.graph(), request.options);
     if (!request.smooth) return draw_still(scene.mesh, colours, request.options);
     try {

@@ -124,6 +124,29 @@ TEST(Render, DrawsTheSurfaceThatSubdivisionGoesTo)
     expect_error({"render", open, "-o", "a.png", "--smooth"}, "render: --smooth: the model is open: 3 boundary edges");
 }
 
+TEST(Render, DrawsTheFlatTilingOfATile)
+{
+    const Folder folder;
+    // A tiling by squares of edge 10: 3 by 3 places, 30 mm that fill 96 of 100 pixels.
+    ASSERT_EQ(druse({"apply", "-c", "tile.new type=IH41 size=10", "-c", "tile.colors colors=#ff0000,#00ff00,#0000ff", "-o", "a.tile"}, folder.path()).status, 0);
+    const Ended ended = druse({"render", "a.tile", "--flat", "-o", "a.png", "--size", "200x100", "--background", "#ffff00"}, folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const Image image = read_png((folder.path() / "a.png").string());
+    ASSERT_EQ(image.width, 200);
+    ASSERT_EQ(image.height, 100);
+    EXPECT_EQ(image.at(30, 50), (Pixel{255, 255, 0, 255})); // beside them
+    EXPECT_EQ(image.at(100, 0), (Pixel{255, 255, 0, 255}));
+    EXPECT_EQ(image.at(84, 50), (Pixel{128, 0, 0, 255})); // half of it is the line between two
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) {
+            const Pixel p = image.at(68 + 32 * column, 18 + 32 * row);
+            EXPECT_EQ(p.red + p.green + p.blue, 255);
+            EXPECT_FALSE(p == image.at(68 + 32 * ((column + 1) % 2), 18 + 32 * row)) << "neighbours differ";
+        }
+    expect_error({"render", models + "/colored_cube.obj", "--flat", "-o", "a.png"}, "the document holds no tile; tile.new makes one");
+    expect_error({"render", models + "/bird.tile", "--flat", "--edges", "-o", "a.png"}, "render: --flat excludes --edges");
+}
+
 TEST(Render, DrawsAGraph)
 {
     const Folder folder;
