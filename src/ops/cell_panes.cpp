@@ -4,6 +4,8 @@
 #include "ops/pane.h"
 
 #include <optional>
+#include <set>
+#include <vector>
 
 namespace druse {
 
@@ -20,7 +22,7 @@ struct CellPointMove {
 };
 
 struct CellPointRemove {
-    CellPointName point;
+    CellPath point;
 };
 
 struct CellEdgeAdd {
@@ -45,6 +47,24 @@ struct CellRefine {
     double min_angle = 20;
     std::optional<double> max_area;
 };
+
+/// From the last to the first, so that the names of those before stay what they are.
+void run_cell_point_remove(Scene& scene, const CellPointRemove& p, Context& context)
+{
+    const std::set<CellPointName> points(p.point.points.begin(), p.point.points.end());
+    edit_cell(scene, context, [&](CellTile& cell) {
+        for (auto point = points.rbegin(); point != points.rend(); ++point)
+            point->kind == CellPointName::Kind::edge ? cell.remove_edge_point(*point) : cell.remove_point(*point);
+    });
+}
+
+void run_cell_edge_remove(Scene& scene, const CellPointRemove& p, Context& context)
+{
+    const std::set<CellPointName> points(p.point.points.begin(), p.point.points.end());
+    edit_cell(scene, context, [&](CellTile& cell) {
+        for (auto point = points.rbegin(); point != points.rend(); ++point) cell.remove_edge_point(*point);
+    });
+}
 
 void run_cell_refine(Scene& scene, const CellRefine& p, Context& context)
 {
@@ -98,13 +118,13 @@ Operator cell_point_move_operator()
 Operator cell_point_remove_operator()
 {
     using P = CellPointRemove;
-    return define<P>("cell.point_remove", "Remove a point of a flat pane; those behind it are numbered anew")
-        .param(&P::point, "point", "which one, as p0:i1")
+    return define<P>("cell.point_remove", "Remove points of flat panes; those behind them are numbered anew")
+        .param(&P::point, "point", Unit::none, {}, at_least(1), "which ones, as p0:i1; points of edges, as x0:1, may be among them")
         .required()
         .keeps_euler()
         .example("cell.point_remove point=p1:i0")
         .cites("Howison & Séquin 2009, section 3.1")
-        .run([](Scene& scene, const P& p, Context& context) { edit_cell(scene, context, [&](CellTile& cell) { cell.remove_point(p.point); }); });
+        .run(run_cell_point_remove);
 }
 
 Operator cell_edge_add_operator()
@@ -122,13 +142,13 @@ Operator cell_edge_add_operator()
 Operator cell_edge_remove_operator()
 {
     using P = CellPointRemove;
-    return define<P>("cell.edge_remove", "Remove a point of an orbit of edges")
-        .param(&P::point, "point", "which one, as x0:1")
+    return define<P>("cell.edge_remove", "Remove points of orbits of edges")
+        .param(&P::point, "point", Unit::none, {}, at_least(1), "which ones, as x0:1")
         .required()
         .keeps_euler()
         .example("cell.edge_remove point=x1:1")
         .cites("Howison & Séquin 2009, section 3.1")
-        .run([](Scene& scene, const P& p, Context& context) { edit_cell(scene, context, [&](CellTile& cell) { cell.remove_edge_point(p.point); }); });
+        .run(run_cell_edge_remove);
 }
 
 Operator cell_constrain_operator()
