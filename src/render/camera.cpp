@@ -20,6 +20,11 @@ double radians(double degrees)
     return degrees * pi / 180.0;
 }
 
+double degrees_of(double radians)
+{
+    return radians * 180.0 / pi;
+}
+
 /// Sine and cosine of degrees that are exact where the views along the axes need it.
 std::pair<double, double> sin_cos(double degrees)
 {
@@ -72,6 +77,7 @@ void Camera::set_angles(ViewAngles angles)
 {
     angles_.azimuth = std::remainder(angles.azimuth, 360.0);
     angles_.elevation = std::clamp(angles.elevation, -90.0, 90.0);
+    angles_.roll = std::remainder(angles.roll, 360.0);
 }
 
 void Camera::set_distance(double distance)
@@ -82,7 +88,10 @@ void Camera::set_distance(double distance)
 Vector Camera::right() const
 {
     const auto [sin_az, cos_az] = sin_cos(angles_.azimuth);
-    return {cos_az, sin_az, 0.0};
+    const Vector level(cos_az, sin_az, 0.0);
+    if (angles_.roll == 0) return level;
+    const auto [sin_roll, cos_roll] = sin_cos(angles_.roll);
+    return cos_roll * level + sin_roll * glm::cross(backward(), level);
 }
 
 Vector Camera::backward() const
@@ -145,7 +154,22 @@ void Camera::step_back(std::span<const Point> points)
 
 void Camera::orbit(double azimuth, double elevation)
 {
-    set_angles({angles_.azimuth + azimuth, angles_.elevation + elevation});
+    set_angles({angles_.azimuth + azimuth, angles_.elevation + elevation, angles_.roll});
+}
+
+void Camera::turn(const Vector& axis, double degrees)
+{
+    const auto [sine, cosine] = sin_cos(degrees);
+    const auto turned = [&](const Vector& v) { return cosine * v + sine * glm::cross(axis, v) + (1 - cosine) * glm::dot(axis, v) * axis; };
+    const Vector across = turned(right()), toward = turned(backward());
+    // From straight above or below, where any azimuth would do, there is no roll.
+    constexpr double nearly_vertical = 1e-9;
+    const bool vertical = std::hypot(toward.x, toward.y) < nearly_vertical;
+    if (vertical) set_angles({degrees_of(std::atan2(across.y, across.x)), std::copysign(90.0, toward.z)});
+    else set_angles({degrees_of(std::atan2(toward.x, -toward.y)), degrees_of(std::atan2(toward.z, std::hypot(toward.x, toward.y)))});
+    const double roll = degrees_of(std::atan2(glm::dot(across, up()), glm::dot(across, right())));
+    constexpr double rounding = 1e-9;
+    angles_.roll = std::abs(roll) < rounding ? 0 : roll;
 }
 
 void Camera::pan(double dx, double dy)

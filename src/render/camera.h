@@ -17,9 +17,10 @@ struct Ray {
     Vector direction;
 };
 
-/// Where the eye stands, in degrees: AZ turns it counter-clockwise seen from above, EL lifts it. `front` is 0,0.
+/// Where the eye stands, in degrees: AZ turns it counter-clockwise seen from above, EL lifts it. `front` is 0,0. `roll` tilts the head to its
+/// left; at 0 z is up in the picture.
 struct ViewAngles {
-    double azimuth = 0, elevation = 0;
+    double azimuth = 0, elevation = 0, roll = 0;
     friend bool operator==(const ViewAngles&, const ViewAngles&) = default;
 };
 
@@ -27,7 +28,7 @@ struct ViewAngles {
 /// neither.
 std::optional<ViewAngles> view_from_text(std::string_view text);
 
-/// A turntable camera: z is always up in the picture, and the eye turns about a target.
+/// A camera whose eye turns about a target, on a turntable with z upright in the picture (orbit()) or any way (turn()).
 ///
 /// Places in the picture are in pixels from its top left corner, y downward; the centre of the first pixel is (0.5, 0.5).
 /// Everything is computed in double and in model coordinates; the renderer goes over to float last, relative to the model.
@@ -73,6 +74,8 @@ public:
     void fit(std::span<const Point> points);
     /// Degrees added to azimuth and elevation.
     void orbit(double azimuth, double elevation);
+    /// Turns about a line through the target, counter-clockwise seen from where `axis` points (of length 1).
+    void turn(const Vector& axis, double degrees);
     /// Moves the model by so many pixels, at the depth of the target.
     void pan(double dx, double dy);
     /// Goes nearer by `factor` (2 shows everything twice as large); what is at (x, y) at the depth of the target stays there.

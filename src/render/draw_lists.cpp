@@ -340,6 +340,17 @@ void DrawLists::renew_bounds()
     reach_ = bounds_;
 }
 
+Box DrawLists::with_copies(const Box& box) const
+{
+    Box all = box;
+    if (box.empty()) return all;
+    for (const Copy& copy : copies_) {
+        all.add(copy.at(box.min));
+        all.add(copy.at(box.max));
+    }
+    return all;
+}
+
 std::vector<std::array<std::uint32_t, 2>> DrawLists::sides(Face f) const
 {
     std::vector<std::array<std::uint32_t, 2>> result;

@@ -59,6 +59,14 @@ public:
     static constexpr std::uint32_t pick_bits = 6;  // triangles per box: 64
 
     using Triangle = std::array<std::uint32_t, 3>; // draw vertices, counter-clockwise; all equal: no triangle
+    /// Everything once more: `scale` times as large, then elsewhere, in one colour; with faces only, if there are any.
+    struct Copy {
+        double scale = 1; // above 0
+        Vector shift{0.0};
+        Colour colour;
+        Point at(const Point& p) const { return scale * p + shift; }
+        friend bool operator==(const Copy&, const Copy&) = default;
+    };
     struct Range {
         std::uint32_t first = 0, count = 0;
     };
@@ -92,6 +100,9 @@ public:
     void recolour(const Mesh& mesh, const GroupColours& colours);
     void recolour(const std::function<int(Face)>& group_of, const GroupColours& colours);
 
+    /// Shows these beside it, from now on and after each build(): copies follow whatever becomes of what they are of, at no cost. They have no outlines and no selection.
+    void set_copies(std::vector<Copy> copies);
+
     /// Makes these the selected faces, and no others. Cost: that of the faces listed now and before.
     void select(std::span<const Face> faces);
 
@@ -100,6 +111,8 @@ public:
     const Point& origin() const { return origin_; } // what places of draw vertices are relative to
     const Box& bounds() const { return bounds_; }   // in model coordinates; empty if nothing is drawn
     const Box& reach() const { return reach_; }     // bounds(), and what may be outlined beyond them
+    std::span<const Copy> copies() const { return copies_; }
+    Box with_copies(const Box& box) const; // and all that it becomes in them
     bool is_divided() const { return is_divided_; }
     double mean_edge_length() const { return mean_edge_; }
     bool has_faces() const { return live_triangles_ > 0; }
@@ -196,6 +209,7 @@ private:
     Column<std::array<std::uint32_t, 2>> edge_ends_;
     std::vector<std::array<std::uint32_t, 2>> boundary_sides_;
     std::vector<Face> selected_;
+    std::vector<Copy> copies_;
     std::vector<Box> pick_boxes_;
 
     std::vector<std::vector<std::uint32_t>> room_; // by number of triangles: where so many in a row are free

@@ -232,6 +232,13 @@ void DrawLists::recolour(const std::function<int(Face)>& group_of, const GroupCo
     }
 }
 
+void DrawLists::set_copies(std::vector<Copy> copies)
+{
+    if (copies == copies_) return;
+    copies_ = std::move(copies);
+    new_version();
+}
+
 void DrawLists::select(std::span<const Face> faces)
 {
     new_version();

@@ -55,16 +55,15 @@ double distance_to(const Point2& p, const Point2& a, const Point2& b)
     return glm::distance(p, a + t * ab);
 }
 
-} // namespace
-
-std::optional<FaceHit> pick_face(const DrawLists& lists, const Ray& ray)
+/// The first face met before `nearest`, copies left aside.
+std::optional<FaceHit> pick_first(const DrawLists& lists, const Ray& ray, double nearest)
 {
     const Vector inverse = 1.0 / ray.direction;
     const double reach =
         std::max({1.0, glm::length(lists.bounds().min), glm::length(lists.bounds().max), glm::length(ray.origin)});
     const double tolerance = 1e-12 * reach;
     std::optional<FaceHit> best;
-    double nearest = std::numeric_limits<double>::infinity();
+    if (!meets(ray, inverse, lists.bounds(), nearest + tolerance, tolerance)) return best;
     const std::span<const Box> boxes = lists.pick_boxes();
     const std::uint32_t count = static_cast<std::uint32_t>(lists.triangles().size());
     for (std::uint32_t block = 0; block < boxes.size(); ++block) {
@@ -85,6 +84,22 @@ std::optional<FaceHit> pick_face(const DrawLists& lists, const Ray& ray)
     return best;
 }
 
+} // namespace
+
+std::optional<FaceHit> pick_face(const DrawLists& lists, const Ray& ray)
+{
+    std::optional<FaceHit> best = pick_first(lists, ray, std::numeric_limits<double>::infinity());
+    for (std::uint32_t k = 0; k < lists.copies().size(); ++k) {
+        // As the copy is to the lists, the ray is to one that meets them, whose distances are shorter by the scale.
+        const DrawLists::Copy& copy = lists.copies()[k];
+        const Ray there{(ray.origin - copy.shift) / copy.scale, ray.direction};
+        const double limit = best ? best->distance / copy.scale : std::numeric_limits<double>::infinity();
+        if (auto hit = pick_first(lists, there, limit))
+            best = FaceHit{hit->face, copy.at(hit->point), copy.scale * hit->distance, hit->from_behind, k + 1};
+    }
+    return best;
+}
+
 std::optional<Edge> pick_edge(const DrawLists& lists, const Camera& camera, double x, double y)
 {
     const Point2 pointer(x, y);
@@ -95,6 +110,7 @@ std::optional<Edge> pick_edge(const DrawLists& lists, const Camera& camera, doub
     };
     std::optional<Edge> best;
     if (const auto hit = pick_face(lists, camera.ray(x, y))) {
+        if (hit->copy > 0) return best;
         std::array<std::uint32_t, 2> side{DrawLists::none, DrawLists::none};
         for (const auto& ends : lists.sides(hit->face)) {
             const double away = measure(ends[0], ends[1]);
@@ -133,6 +149,7 @@ std::optional<Vertex> pick_vertex(const DrawLists& lists, const Camera& camera, 
         best = Vertex(v);
     };
     if (const auto hit = pick_face(lists, camera.ray(x, y))) {
+        if (hit->copy > 0) return best;
         const DrawLists::Range range = lists.triangles(hit->face);
         for (std::uint32_t t = range.first; t < range.first + range.count; ++t)
             for (const std::uint32_t copy : lists.triangles()[t]) consider(lists.vertex_of(copy));

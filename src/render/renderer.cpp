@@ -7,6 +7,7 @@
 #include "render/shaders.h"
 #include "render/thick_line_painter.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -34,6 +35,12 @@ bool is_bright(const Style& style)
     return sum(style.background_top) + sum(style.background_bottom) > 8 * 255;
 }
 
+/// What brings places relative to the origin of lists to where a copy has them in the picture.
+glm::mat4 placed(const glm::dmat4& clip, const Point& origin, const DrawLists::Copy& copy)
+{
+    return glm::mat4(glm::scale(glm::translate(clip, copy.at(origin) - origin), Vector(copy.scale)));
+}
+
 } // namespace
 
 struct Renderer::Parts {
@@ -44,7 +51,7 @@ struct Renderer::Parts {
     void use_faces(const Camera& camera, const Style& style);
     void draw_faces(const Style& style);
     void draw_painted(const DrawLists& lists, const Camera& camera, const Style& style, const Overlay& overlay);
-    void draw_lines(Colour colour, double opacity);
+    void draw_lines(const glm::mat4& to, Colour colour, double opacity);
     void draw_overlay(const DrawLists& lists, const Camera& camera, const Style& style, const Overlay& overlay);
     const Program& face_program(unsigned which);
     const Program& line_program();
@@ -65,6 +72,7 @@ struct Renderer::Parts {
     std::uint64_t shown_version = 0;
     std::optional<Camera> shown_camera;
     Style shown_style;
+    Box scene; // copies included
     glm::mat4 to_clip{1.0f};
     unsigned variant = 0;      // of the face shader
     double strength = 0;       // of the edges
@@ -159,7 +167,9 @@ double Renderer::Parts::edge_strength(const DrawLists& lists, const Camera& came
 
 void Renderer::Parts::draw_base(const DrawLists& lists, const Camera& camera, const Style& style)
 {
-    to_clip = glm::mat4(camera.to_clip(lists.origin(), lists.reach()));
+    scene = lists.with_copies(lists.reach());
+    const glm::dmat4 clip = camera.to_clip(lists.origin(), scene);
+    to_clip = glm::mat4(clip);
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LEQUAL);
     gl.DepthMask(GL_TRUE);
@@ -184,14 +194,25 @@ void Renderer::Parts::draw_base(const DrawLists& lists, const Camera& camera, co
     if (with_faces) {
         use_faces(camera, style);
         draw_faces(style);
+        for (const DrawLists::Copy& copy : lists.copies()) {
+            const glm::mat4 there = placed(clip, lists.origin(), copy);
+            const std::array<float, 3> colour = floats(copy.colour);
+            gl.UniformMatrix4fv(face_program(variant).uniform("to_clip"), 1, GL_FALSE, glm::value_ptr(there));
+            gl.Uniform4f(face_program(variant).uniform("paint"), colour[0], colour[1], colour[2], 1.0f);
+            gl.Uniform1f(face_program(variant).uniform("edge_strength"), 0.0f);
+            draw_faces(style);
+        }
         gl.Disable(GL_POLYGON_OFFSET_FILL);
-        if (under_lines) draw_lines(style.edge, strength);
+        if (under_lines) draw_lines(to_clip, style.edge, strength);
     } else {
         // Nothing lies under the lines but the background: they are light on a dark one, and do not vanish however short.
         const Colour colour = is_bright(style) ? style.edge : Colour{0xc8, 0xcc, 0xd4};
-        draw_lines(colour, std::max(strength, 0.25));
+        const double opacity = std::max(strength, 0.25);
+        draw_lines(to_clip, colour, opacity);
+        for (const DrawLists::Copy& copy : lists.copies()) draw_lines(placed(clip, lists.origin(), copy), colour, opacity);
     }
 }
+
 
 void Renderer::Parts::draw_background(const Style& style)
 {
@@ -288,12 +309,12 @@ void Renderer::Parts::draw_painted(const DrawLists& lists, const Camera& camera,
     gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-void Renderer::Parts::draw_lines(Colour colour, double opacity)
+void Renderer::Parts::draw_lines(const glm::mat4& to, Colour colour, double opacity)
 {
     const Program& program = line_program();
     program.use();
     const std::array<float, 3> c = floats(colour);
-    gl.UniformMatrix4fv(program.uniform("to_clip"), 1, GL_FALSE, glm::value_ptr(to_clip));
+    gl.UniformMatrix4fv(program.uniform("to_clip"), 1, GL_FALSE, glm::value_ptr(to));
     gl.Uniform4f(program.uniform("colour"), c[0], c[1], c[2], float(opacity));
     gl.Enable(GL_BLEND);
     mesh.draw_edges();
@@ -366,7 +387,7 @@ void Renderer::Parts::draw_overlay(const DrawLists& lists, const Camera& camera,
     over.insert(over.end(), overlay.lines.begin(), overlay.lines.end());
 
     std::optional<double> shift;
-    if (!style.wireframe && !style.see_through) shift = camera.depth_shift(4 * scale, lists.reach());
+    if (!style.wireframe && !style.see_through) shift = camera.depth_shift(4 * scale, scene);
     thick.draw(seen, lists.origin(), to_clip, camera.width(), camera.height(), shift);
     thick.draw(over, lists.origin(), to_clip, camera.width(), camera.height(), std::nullopt);
 

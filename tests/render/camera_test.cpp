@@ -191,6 +191,39 @@ TEST(Camera, TurnsRoundAndRoundButNotOverThePoles)
     EXPECT_EQ(camera.angles(), (ViewAngles{10, -90}));
 }
 
+TEST(Camera, TurnsAboutAnyAxisAsARotationDoes)
+{
+    const auto expect_near = [](const Vector& a, const Vector& b) { EXPECT_LE(glm::distance(a, b), 1e-9) << a.x << " " << a.y << " " << a.z; };
+    for (const ViewAngles start : {ViewAngles{0, 0}, ViewAngles{30, 50, 20}, ViewAngles{-160, -90, 0}, ViewAngles{70, 89.9999999, -100}})
+        for (const Vector axis : {Vector(0, 0, 1), unit(Vector(1, 2, -3)), unit(Vector(-1, 1, 0))})
+            for (const double degrees : {1e-7, 40.0, 90.0, 180.0, -137.0}) {
+                Camera camera;
+                camera.set_angles(start);
+                const Vector right = camera.right(), up = camera.up(), backward = camera.backward();
+                camera.turn(axis, degrees);
+                const double angle = degrees * 3.141592653589793 / 180;
+                const auto turned = [&](const Vector& v) {
+                    return v * std::cos(angle) + glm::cross(axis, v) * std::sin(angle) + axis * glm::dot(axis, v) * (1 - std::cos(angle));
+                };
+                expect_near(camera.right(), turned(right));
+                expect_near(camera.up(), turned(up));
+                expect_near(camera.backward(), turned(backward));
+                camera.turn(axis, -degrees);
+                expect_near(camera.right(), right);
+                expect_near(camera.backward(), backward);
+            }
+}
+
+TEST(Camera, StaysUprightWhereItTurnsAboutZ)
+{
+    Camera camera;
+    camera.set_angles({10, 20});
+    camera.turn({0, 0, 1}, 35);
+    EXPECT_NEAR(camera.angles().azimuth, 45, 1e-9);
+    EXPECT_NEAR(camera.angles().elevation, 20, 1e-9);
+    EXPECT_EQ(camera.angles().roll, 0);
+}
+
 TEST(Camera, PansTheModelWithThePointer)
 {
     Camera camera = looking("iso");

@@ -143,6 +143,31 @@ TEST(PickFace, AgreesWithEveryTriangleTriedInTurn)
     EXPECT_GT(hits, 300);
 }
 
+TEST(PickFace, TellsCopiesFromWhatTheyAreOf)
+{
+    DrawLists lists(cube(), grey); // of edge 1, about the origin
+    lists.set_copies({{0.5, {0, 0, 3}, {}}, {2, {10, 0, 0}, {}}});
+    const auto own = pick_face(lists, {{0.1, 0.2, -9}, {0, 0, 1}});
+    ASSERT_TRUE(own);
+    EXPECT_EQ(own->copy, 0u);
+    EXPECT_DOUBLE_EQ(own->distance, 8.5);
+    const auto above = pick_face(lists, {{0.1, 0.2, 9}, {0, 0, -1}});
+    ASSERT_TRUE(above);
+    EXPECT_EQ(above->copy, 1u);
+    EXPECT_DOUBLE_EQ(above->distance, 5.75);
+    EXPECT_LE(glm::distance(above->point, Point(0.1, 0.2, 3.25)), 1e-12);
+    const auto beside_it = pick_face(lists, {{0.4, 0.2, 9}, {0, 0, -1}});
+    ASSERT_TRUE(beside_it);
+    EXPECT_EQ(beside_it->copy, 0u);
+    EXPECT_EQ(beside_it->face, above->face); // that which looks up
+    const auto large = pick_face(lists, {{-9, 0.7, 0.1}, {1, 0, 0}});
+    ASSERT_TRUE(large);
+    EXPECT_EQ(large->copy, 2u);
+    EXPECT_DOUBLE_EQ(large->distance, 18);
+    lists.set_copies({});
+    EXPECT_FALSE(pick_face(lists, {{-9, 0.7, 0.1}, {1, 0, 0}}));
+}
+
 TEST(PickFace, WorksFarFromTheOrigin)
 {
     Mesh mesh = cube();

@@ -419,6 +419,51 @@ TEST_F(RendererTest, ShowsPaintedFacesAsIfTheirGroupHadThatColour)
     }
 }
 
+TEST_F(RendererTest, DrawsCopiesAsIfTheyWereInTheMesh)
+{
+    const Mesh mesh = coloured(torus(12, 8));
+    const std::vector<DrawLists::Copy> copies{{0.5, {2, 1, 0}, {30, 200, 120}}, {1.5, {-4, 0, -2}, {200, 30, 120}}};
+    MeshBuilder builder;
+    for (std::size_t k = 0; k <= copies.size(); ++k) {
+        for (const Vertex v : mesh.vertices()) builder.add_vertex(k == 0 ? mesh.position(v) : copies[k - 1].at(mesh.position(v)));
+        for (const Face f : mesh.faces()) {
+            std::vector<std::uint32_t> face;
+            for (const Corner c : mesh.corners(f)) face.push_back(mesh.vertex(c).index + std::uint32_t(k) * mesh.vertex_count());
+            builder.add_face(face, k == 0 ? mesh.group(f) : 99 + int(k));
+        }
+    }
+    const DrawLists expected(builder.build(), [&](int group) { return group > 99 ? copies[std::size_t(group) - 100].colour : vivid(group); });
+    DrawLists lists(mesh, vivid);
+    lists.set_copies(copies);
+    EXPECT_LE(glm::distance(lists.with_copies(lists.bounds()).min, expected.bounds().min), 1e-12);
+    EXPECT_LE(glm::distance(lists.with_copies(lists.bounds()).max, expected.bounds().max), 1e-12);
+    const Camera camera = camera_at(expected, "iso");
+    for (int bits = 0; bits < 4; ++bits) {
+        Style style = plain();
+        style.shading = bits & 1 ? Style::Shading::smooth : Style::Shading::flat;
+        style.wireframe = bits & 2;
+        style.fade_edges = false;
+        const Image image = studio.picture(lists, camera, style);
+        EXPECT_LE(pixels_apart(image, studio.picture(expected, camera, style), 8), 40) << bits; // of 76800: where sides round to another pixel
+    }
+    // Edges are those of the mesh alone.
+    for (const Style::EdgeMethod method : {Style::EdgeMethod::lines, Style::EdgeMethod::surface}) {
+        Style style = plain();
+        style.edges = true;
+        style.fade_edges = false;
+        style.edge_method = method;
+        const DrawLists alone(mesh, vivid);
+        const auto edges = [&](const DrawLists& of) { return count(studio.picture(of, camera, style), edge_colour, 2); };
+        EXPECT_GT(edges(alone), 100);
+        EXPECT_LE(edges(lists), edges(alone)); // a copy may be before it
+        EXPECT_GT(edges(lists), edges(alone) / 2);
+    }
+    // They are drawn anew when they alone change.
+    const Image before = studio.picture(lists, camera, plain());
+    lists.set_copies({copies[0]});
+    EXPECT_GT(pixels_apart(before, studio.picture(lists, camera, plain()), 8), 1000);
+}
+
 TEST_F(RendererTest, DrawsOutlinesAroundADividedMeshWhole)
 {
     // A small cube that stands for a large one.
