@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -21,7 +20,14 @@ using Corners3 = std::array<Number, 3>;
 using Ends = std::pair<Number, Number>;
 
 constexpr Number no_number = Pane::none;
-constexpr double no_height = std::numeric_limits<double>::quiet_NaN();
+constexpr HeightSource unknown{{no_number, no_number, no_number}, {0, 0}};
+
+bool is_known(const HeightSource& source) { return source.of[0] != no_number; }
+
+HeightSource same_as(Number relief) { return {{relief, relief, relief}, {0, 0}}; }
+
+/// At t from a to b, both of which are points of the relief.
+HeightSource between(const HeightSource& a, const HeightSource& b, double t) { return {{a.of[0], b.of[0], a.of[0]}, {t, 0}}; }
 
 Ends unordered(Number a, Number b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -128,7 +134,7 @@ public:
         : tile_(tile), cutter_(polygon), carried_(carried), weld_(weld), common_(weld),
           shared_(weld > tile.weld() ? tile.point_count() : tile.outline_count())
     {
-        for (const Point2& p : polygon) points_.emplace_back(p, no_height);
+        for (const Point2& p : polygon) add(p, unknown);
     }
 
     Carving carve()
@@ -136,11 +142,12 @@ public:
         for (const TileCopy& copy : tile_.copies_in(cutter_.bounds().grown(2 * weld_), carried_)) load(copy);
         weld_to_cutter();
         cut();
+        result_.field = result_.over(tile_.surface());
         return std::move(result_);
     }
 
 private:
-    Point2 at(Number point) const { return Point2(points_[point]); }
+    Point2 at(Number point) const { return points_[point]; }
 
     /// Sorts the triangles of a copy: inside, far from the cutter's sides; near these; and the others, which do not count.
     void load(const TileCopy& copy)
@@ -154,10 +161,10 @@ private:
         numbers_.assign(places_.size(), no_number);
         const auto number = [&](Number i) {
             if (numbers_[i] != no_number) return numbers_[i];
-            if (i >= static_cast<Number>(shared_)) return numbers_[i] = add(places_[i], surface.points[i].z);
+            if (i >= static_cast<Number>(shared_)) return numbers_[i] = add(places_[i], same_as(i));
             // Another copy may have brought it already.
             const auto [known, is_new] = brought_.try_emplace(std::pair(places_[i].x, places_[i].y), no_number);
-            if (is_new) known->second = add(places_[i], surface.points[i].z);
+            if (is_new) known->second = add(places_[i], same_as(i));
             return numbers_[i] = known->second;
         };
         const FlatBox reach = cutter_.bounds().grown(2 * weld_);
@@ -175,9 +182,10 @@ private:
         }
     }
 
-    Number add(const Point2& p, double z)
+    Number add(const Point2& p, const HeightSource& source)
     {
-        points_.emplace_back(p, z);
+        points_.push_back(p);
+        sources_.push_back(source);
         return static_cast<Number>(points_.size() - 1);
     }
 
@@ -206,10 +214,9 @@ private:
             });
             if (corner != no_number) {
                 stands_for_[v] = corner;
-                if (std::isnan(points_[corner].z)) points_[corner].z = points_[v].z;
+                if (!is_known(sources_[corner])) sources_[corner] = sources_[v];
             } else if (side != no_number) {
-                const Point2 foot = druse::foot(p, cutter_.from(side), cutter_.to(side));
-                points_[v] = Point(foot, points_[v].z);
+                points_[v] = foot(p, cutter_.from(side), cutter_.to(side));
                 on_side_[side].push_back(v);
             }
         }
@@ -309,7 +316,7 @@ private:
             stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
             Number last = a;
             for (const auto& [t, c] : stops) {
-                if (std::isnan(points_[c].z)) points_[c].z = points_[a].z + t * (points_[b].z - points_[a].z);
+                if (!is_known(sources_[c])) sources_[c] = between(sources_[a], sources_[b], t);
                 put(last, c, {a, b});
                 last = c;
             }
@@ -328,9 +335,8 @@ private:
             if (a == no_number) continue;
             for (const PointId id : pane.chain(segments[i])) {
                 Number& known = number_[std::size_t(id)];
-                if (known == no_number) known = add(pane.position(id), no_height);
-                Point& p = points_[known];
-                if (std::isnan(p.z)) p.z = points_[a].z + along(Point2(p), at(a), at(b)) * (points_[b].z - points_[a].z);
+                if (known == no_number) known = add(pane.position(id), unknown);
+                if (!is_known(sources_[known])) sources_[known] = between(sources_[a], sources_[b], along(at(known), at(a), at(b)));
             }
         }
         // What is left are corners of the cutter within a triangle of the relief.
@@ -341,21 +347,18 @@ private:
         }
         const FlatGrid grid(boxes);
         for (Number k = 0; k < cutter_.size(); ++k) {
-            if (!std::isnan(points_[k].z)) continue;
-            double deepest = -1e300, height = 0;
+            if (is_known(sources_[k])) continue;
+            double deepest = -1e300;
             grid.for_each(FlatBox{at(k), at(k)}.grown(weld_), [&](Number i) {
                 std::array<Number, 3> v{};
                 for (std::size_t j = 0; j < 3; ++j) v[j] = stands_for_[near_[i][j]];
                 const auto share = shares(at(k), at(v[0]), at(v[1]), at(v[2]));
                 const double depth = std::min({share[0], share[1], share[2]});
                 if (depth <= deepest) return;
-                for (const Number corner : v)
-                    if (std::isnan(points_[corner].z)) return;
                 deepest = depth;
-                height = share[0] * points_[v[0]].z + share[1] * points_[v[1]].z + share[2] * points_[v[2]].z;
+                sources_[k] = {{sources_[v[0]].of[0], sources_[v[1]].of[0], sources_[v[2]].of[0]}, {share[1], share[2]}};
             });
             ASSERT(deepest > -1e-3, "the copies cover every corner of the cutter");
-            points_[k].z = height;
         }
     }
 
@@ -414,7 +417,9 @@ private:
         const auto renumber = [&](Number& v) {
             if (to[v] == no_number) {
                 to[v] = static_cast<Number>(points.size());
-                points.push_back(points_[v]);
+                ASSERT(is_known(sources_[v]), "each point of a carving lies on the relief");
+                points.emplace_back(points_[v], 0.0);
+                result_.sources.push_back(sources_[v]);
             }
             v = to[v];
         };
@@ -439,7 +444,8 @@ private:
     };
     std::unordered_map<std::pair<double, double>, Number, PairHash> brought_;
 
-    std::vector<Point> points_; // the cutter's corners first; heights that are not known yet are no numbers
+    std::vector<Point2> points_; // the cutter's corners first
+    std::vector<HeightSource> sources_; // of their heights: those of points of the relief, and of corners that these were moved to, are the same as one of the relief
     std::vector<Corners3> near_;
     std::vector<Point2> places_;   // of the copy that is loaded
     std::vector<Number> numbers_;
@@ -454,6 +460,17 @@ private:
 };
 
 } // namespace
+
+HeightField Carving::over(const HeightField& relief) const
+{
+    HeightField result = field;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const auto& [of, share] = sources[i];
+        const double z = relief.points[of[0]].z;
+        result.points[i].z = z + share[0] * (relief.points[of[1]].z - z) + share[1] * (relief.points[of[2]].z - z);
+    }
+    return result;
+}
 
 Carving carve(const LayeredTile& tile, std::span<const Point2> cutter, const Isometry& carried) { return carve(tile, cutter, carried, tile.weld()); }
 

@@ -30,6 +30,8 @@ FlatGrid::FlatGrid(std::span<const FlatBox> boxes) : boxes_(boxes.begin(), boxes
         for (int y = from.y; y <= to.y; ++y)
             for (int x = from.x; x <= to.x; ++x) f(std::size_t(y * width_ + x));
     };
+    lowest_.reserve(boxes_.size());
+    for (const FlatBox& b : boxes_) lowest_.push_back(cell(b.min));
     for (const FlatBox& b : boxes_) for_cells(b, [&](std::size_t c) { ++first_[c + 1]; });
     for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
     items_.resize(first_.back());
@@ -39,7 +41,7 @@ FlatGrid::FlatGrid(std::span<const FlatBox> boxes) : boxes_(boxes.begin(), boxes
 
 FlatGrid::Cell FlatGrid::cell(const Point2& p) const
 {
-    const auto part = [](double x, int count) { return static_cast<int>(std::clamp(std::floor(x), 0.0, double(count - 1))); };
+    const auto part = [](double x, int count) { return static_cast<int>(std::clamp(x, 0.0, double(count - 1))); };
     return {part((p.x - all_.min.x) * scale_.x, width_), part((p.y - all_.min.y) * scale_.y, height_)};
 }
 

@@ -41,7 +41,7 @@ public:
                 for (std::uint32_t k = first_[std::size_t(y * width_ + x)]; k < first_[std::size_t(y * width_ + x) + 1]; ++k) {
                     const FlatBox& b = boxes_[items_[k]];
                     if (!b.meets(box)) continue;
-                    const Cell lowest = cell(b.min); // told in the first cell that both are in
+                    const Cell lowest = lowest_[items_[k]]; // told in the first cell that both are in
                     if (x == std::max(lowest.x, x0) && y == std::max(lowest.y, y0)) f(items_[k]);
                 }
     }
@@ -57,6 +57,7 @@ private:
     Point2 scale_{0.0};
     int width_ = 0, height_ = 0;
     std::vector<FlatBox> boxes_;
+    std::vector<Cell> lowest_; // of each box
     std::vector<std::uint32_t> first_, items_; // of each cell, one behind the other
 };
 

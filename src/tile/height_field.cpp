@@ -23,14 +23,14 @@ std::vector<FlatBox> boxes_of(const HeightField& field)
     return boxes;
 }
 
-struct Span {
-    double low, high;
-};
-
-Span heights(const HeightField& field, const Corners& t)
+/// The height of one corner of each triangle: of two, that which `choose` hands back.
+template <class F>
+std::vector<double> corner_heights(const HeightField& field, F&& choose)
 {
-    const auto [low, high] = std::minmax({field.points[t[0]].z, field.points[t[1]].z, field.points[t[2]].z});
-    return {low, high};
+    std::vector<double> list;
+    list.reserve(field.triangles.size());
+    for (const Corners& t : field.triangles) list.push_back(choose(choose(field.points[t[0]].z, field.points[t[1]].z), field.points[t[2]].z));
+    return list;
 }
 
 double height(const HeightField& field, const Corners& t, const std::array<double, 3>& share)
@@ -105,14 +105,16 @@ double HeightFinder::at(const Point2& p) const
 Thinnest thinnest(const HeightField& top, const HeightField& bottom)
 {
     Thinnest result{std::numeric_limits<double>::infinity(), Point2(0.0)};
-    const std::vector<FlatBox> over = boxes_of(top);
-    const FlatGrid under(boxes_of(bottom));
-    for (std::size_t i = 0; i < top.triangles.size(); ++i) {
+    if (top.triangles.empty() || bottom.triangles.empty()) return result;
+    const std::vector<FlatBox> over = boxes_of(top), beneath = boxes_of(bottom);
+    const FlatGrid under(beneath);
+    const std::vector<double> low = corner_heights(top, [](double a, double b) { return std::min(a, b); });
+    const std::vector<double> high = corner_heights(bottom, [](double a, double b) { return std::max(a, b); });
+    const auto look = [&](std::size_t i) {
         const Corners& t = top.triangles[i];
-        const double low = heights(top, t).low;
         under.for_each(over[i], [&](std::uint32_t k) {
+            if (low[i] - high[k] >= result.thickness) return; // they cannot come nearer
             const Corners& s = bottom.triangles[k];
-            if (low - heights(bottom, s).high >= result.thickness) return; // they cannot come nearer
             const Point2 a(bottom.points[s[0]]), b(bottom.points[s[1]]), c(bottom.points[s[2]]);
             Clipped common;
             for (const std::uint32_t v : t) common.add(top.points[v]);
@@ -125,7 +127,14 @@ Thinnest thinnest(const HeightField& top, const HeightField& bottom)
                 if (thickness < result.thickness) result = {thickness, Point2(p)};
             }
         });
-    }
+    };
+    // Below where the top is lowest and above where the bottom is highest it is thin already, so that most of the others need no look.
+    const auto highest = static_cast<std::size_t>(std::ranges::max_element(high) - high.begin());
+    look(static_cast<std::size_t>(std::ranges::min_element(low) - low.begin()));
+    for (std::size_t i = 0; i < low.size(); ++i)
+        if (over[i].meets(beneath[highest])) look(i);
+    for (std::size_t i = 0; i < low.size(); ++i)
+        if (low[i] - high[highest] < result.thickness) look(i);
     return result;
 }
 

@@ -172,6 +172,7 @@ void LayeredTile::take_heights()
 {
     std::vector<std::optional<double>> of_orbit(outline_.orbits);
     std::map<PointName, double> kept;
+    for (int i = outline_count(); i < point_count(); ++i) surface_.points[i].z = 0; // the design tells of the others only
     for (const auto& [point, height] : design_.heights) {
         require_finite(height, "height");
         const int i = find(point);

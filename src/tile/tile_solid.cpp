@@ -113,48 +113,64 @@ std::vector<TilePart> tile_parts(const LayeredTile& tile)
     return parts;
 }
 
-TileSolid make_solid(const LayeredTile& tile, TileBottom bottom, int aspect, double clearance)
+SolidPlan::SolidPlan(const LayeredTile& tile, TileBottom bottom, int aspect, double clearance)
+    : bottom_(bottom), clearance_(clearance), size_(tile.size()), outline_count_(tile.outline_count()), plane_(tile.surface()), aspects_(tile.aspects()),
+      lattice_(tile.lattice()), stack_(tile.design().stack)
 {
     if (!tile.is_extruded()) throw TileRefusal(TileRefusal::Reason::phase, "a solid comes after tile.extrude");
     if (aspect < 0 || aspect >= tile.type().aspects())
         throw CommandError(fmt::format("aspect={}: {}", aspect, numbered_from_0(tile.type().aspects(), tile.type().name() + " has", "aspect")));
-    TileSolid solid;
-    const auto below = inverse(stack_motion(tile.design().stack) * tile.aspects()[aspect]);
-    HeightField whole_bottom;
+    const std::vector<Point2> outline = tile.outline().positions();
+    const auto below = inverse(stack_motion(stack_) * tile.aspects()[aspect]);
+    const bool is_carved = bottom == TileBottom::carved;
     if (clearance > 0) {
         const double weld = joint_weld * tile.size();
-        const auto [cutter, lost] = inset(tile.outline().positions(), 0.5 * clearance, weld);
-        solid.lost = lost;
+        const auto [cutter, lost] = inset(outline, 0.5 * clearance, weld);
+        lost_ = lost;
         if (cutter.empty()) throw TileRefusal(TileRefusal::Reason::vanishes, fmt::format("clearance {} leaves nothing of the tile", clearance));
-        Carving top = carve(tile, cutter, {}, weld);
-        solid.top = std::move(top.field);
-        solid.top_rim = std::move(top.rim);
-        const bool is_carved = bottom == TileBottom::carved;
-        Carving under = carve(tile, cutter, is_carved ? below : Isometry{}, weld);
-        solid.bottom = std::move(under.field);
-        solid.bottom_rim = std::move(under.rim);
-        whole_bottom = is_carved ? carve(tile, tile.outline().positions(), below).field : tile.surface();
-    } else {
-        solid.top = tile.surface();
-        solid.top_rim = plain_rim(static_cast<std::uint32_t>(tile.outline_count()));
-        if (bottom == TileBottom::carved && tile.design().stack.mode != TileStack::Mode::column) {
-            Carving under = carve(tile, tile.outline().positions(), below);
-            solid.bottom = std::move(under.field);
-            solid.bottom_rim = std::move(under.rim);
-        } else {
-            solid.bottom = solid.top;
-            solid.bottom_rim = solid.top_rim;
-        }
+        top_ = carve(tile, cutter, {}, weld);
+        if (is_carved) under_ = carve(tile, cutter, below, weld);
+        if (is_carved) whole_under_ = carve(tile, outline, below);
+    } else if (is_carved && stack_.mode != TileStack::Mode::column) {
+        under_ = carve(tile, outline, below);
     }
-    if (clearance > 0) {
-        solid.steep = part(solid.top, tile.surface(), 0.5 * clearance, -1) + part(solid.bottom, whole_bottom, 0.5 * clearance, 1);
+}
+
+bool SolidPlan::fits(const LayeredTile& tile) const
+{
+    const HeightField& surface = tile.surface();
+    const auto same_place = [](const Point& p, const Point& q) { return Point2(p) == Point2(q); };
+    const auto same_motion = [](const Isometry& g, const Isometry& h) { return g.x == h.x && g.y == h.y && g.shift == h.shift; };
+    return tile.is_extruded() && tile.size() == size_ && tile.outline_count() == outline_count_ && std::ranges::equal(tile.aspects(), aspects_, same_motion) &&
+           tile.lattice() == lattice_ && tile.design().stack == stack_ && surface.triangles == plane_.triangles &&
+           std::ranges::equal(surface.points, plane_.points, same_place);
+}
+
+TileSolid SolidPlan::solid(const LayeredTile& tile) const
+{
+    ASSERT(fits(tile), "the plan of a solid is of the same plane");
+    const Carving* top = top_ ? &*top_ : nullptr;
+    const Carving* under = under_ ? &*under_ : top;
+    const auto field = [&](const Carving* cut) { return cut ? cut->over(tile.surface()) : tile.surface(); };
+    const auto rim = [&](const Carving* cut) { return cut ? cut->rim : plain_rim(static_cast<std::uint32_t>(outline_count_)); };
+    TileSolid solid;
+    solid.top = field(top);
+    solid.bottom = field(under);
+    solid.top_rim = rim(top);
+    solid.bottom_rim = rim(under);
+    solid.lost = lost_;
+    if (clearance_ > 0) {
+        const HeightField whole_under = field(whole_under_ ? &*whole_under_ : nullptr);
+        solid.steep = part(solid.top, tile.surface(), 0.5 * clearance_, -1) + part(solid.bottom, whole_under, 0.5 * clearance_, 1);
     }
-    if (bottom == TileBottom::flat)
-        for (Point& p : solid.bottom.points) p.z = 0.5 * clearance;
+    if (bottom_ == TileBottom::flat)
+        for (Point& p : solid.bottom.points) p.z = 0.5 * clearance_;
     raise(solid.top, tile.thickness());
     solid.thinnest = thinnest(solid.top, solid.bottom);
     return solid;
 }
+
+TileSolid make_solid(const LayeredTile& tile, TileBottom bottom, int aspect, double clearance) { return SolidPlan(tile, bottom, aspect, clearance).solid(tile); }
 
 double volume(const TileSolid& solid) { return (sixfold_volume(solid.top) - sixfold_volume(solid.bottom)) / 6.0; }
 

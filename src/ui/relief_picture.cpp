@@ -1,7 +1,6 @@
 #include "ui/relief_picture.h"
 
 #include "dlfl/errors.h"
-#include "tile/tile_solid.h"
 #include "tile/tile_stack.h"
 
 #include <algorithm>
@@ -53,8 +52,19 @@ std::vector<std::pair<int, SolidPlace>> places_around(const LayeredTile& tile)
     return places;
 }
 
+} // namespace
+
+/// The solid of the tile in an aspect: by the plan that is known, while this fits.
+TileSolid ReliefPicture::solid_of(const LayeredTile& tile, int aspect)
+{
+    auto known = plans_.find(aspect);
+    if (known != plans_.end() && !known->second.fits(tile)) known = plans_.end();
+    if (known == plans_.end()) known = plans_.insert_or_assign(aspect, SolidPlan(tile, TileBottom::carved, aspect)).first;
+    return known->second.solid(tile);
+}
+
 /// The tile, its points first, and if `shrink` is above 0 those around it.
-Mesh mesh_of(const LayeredTile& tile, const TileSolid& solid, double shrink)
+Mesh ReliefPicture::mesh_of(const LayeredTile& tile, const TileSolid& solid, double shrink)
 {
     MeshBuilder builder;
     add_solid(builder, solid, {});
@@ -68,7 +78,7 @@ Mesh mesh_of(const LayeredTile& tile, const TileSolid& solid, double shrink)
         int group = neighbour_group;
         for (const auto& [aspect, place] : places_around(tile)) {
             const int member = members[std::size_t(aspect)];
-            if (member != members[0] && !others.contains(member)) others.emplace(member, make_solid(tile, TileBottom::carved, aspect));
+            if (member != members[0] && !others.contains(member)) others.emplace(member, solid_of(tile, aspect));
             const std::uint32_t first = builder.vertex_count();
             add_solid(builder, member == members[0] ? solid : others.at(member), place, {group, group, group});
             parts.push_back({first, builder.vertex_count()});
@@ -84,8 +94,6 @@ Mesh mesh_of(const LayeredTile& tile, const TileSolid& solid, double shrink)
     return mesh;
 }
 
-} // namespace
-
 void ReliefPicture::follow(const LayeredTile* tile)
 {
     thinnest.reset();
@@ -93,6 +101,7 @@ void ReliefPicture::follow(const LayeredTile* tile)
     volume.reset();
     solids = 0;
     if (!tile) {
+        plans_.clear();
         lists = DrawLists();
         return;
     }
@@ -101,7 +110,7 @@ void ReliefPicture::follow(const LayeredTile* tile)
         return;
     }
     try {
-        const TileSolid solid = make_solid(*tile);
+        const TileSolid solid = solid_of(*tile, 0);
         lists.build(mesh_of(*tile, solid, neighbours), face_colour);
         thinnest = solid.thinnest.thickness;
         volume = druse::volume(solid);

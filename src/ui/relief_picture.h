@@ -2,7 +2,9 @@
 
 #include "render/draw_lists.h"
 #include "tile/layered_tile.h"
+#include "tile/tile_solid.h"
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -21,8 +23,14 @@ struct ReliefPicture {
     double neighbours = 0;
     bool is_shown = true; // else a mesh is, in its place
 
-    /// Follows a tile; without one nothing is drawn.
+    /// Follows a tile; without one nothing is drawn. Cost: carving where more than heights and thickness have changed; else linear.
     void follow(const LayeredTile* tile);
+
+private:
+    TileSolid solid_of(const LayeredTile& tile, int aspect);
+    Mesh mesh_of(const LayeredTile& tile, const TileSolid& solid, double shrink);
+
+    std::map<int, SolidPlan> plans_; // of the solids that were drawn last, by aspect
 };
 
 } // namespace druse::ui

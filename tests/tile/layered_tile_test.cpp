@@ -80,6 +80,15 @@ TEST(LayeredTile, WithCurvedPathsHasTheOutlinesAndOrbitsOfTheirSymbols)
     }
 }
 
+TEST(LayeredTile, LowersPointsToZeroAgain)
+{
+    LayeredTile tile = straight_tile(references()[0]);
+    const std::array both{0, tile.find(PointName::interior(0))};
+    tile.set_heights(both, 3);
+    tile.set_heights(both, 0);
+    for (const int point : both) EXPECT_EQ(tile.height(point), 0);
+}
+
 TEST(Inset, OfASquareIsASquareUntilNothingIsLeft)
 {
     const std::vector<Point2> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};

@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <random>
@@ -98,6 +100,68 @@ TEST_P(EveryType, FillsSpaceWithAnyReliefAndStack)
             EXPECT_EQ(holders, 1);
         }
     }
+}
+
+/// All of a solid, to the last digit.
+std::vector<std::uint64_t> digits(const TileSolid& solid)
+{
+    std::vector<std::uint64_t> all;
+    const auto put = [&](double x) { all.push_back(std::bit_cast<std::uint64_t>(x)); };
+    for (const HeightField* field : {&solid.top, &solid.bottom}) {
+        for (const Point& p : field->points)
+            for (int i = 0; i < 3; ++i) put(p[i]);
+        for (const auto& t : field->triangles) all.insert(all.end(), t.begin(), t.end());
+    }
+    for (const auto* rim : {&solid.top_rim, &solid.bottom_rim})
+        for (const auto& chain : *rim) all.insert(all.end(), chain.begin(), chain.end());
+    for (const double x : {solid.thinnest.thickness, solid.thinnest.at.x, solid.thinnest.at.y, double(solid.steep), solid.lost}) put(x);
+    return all;
+}
+
+TEST_P(EveryType, HasASolidThatFollowsHeightsAsIfItWereCarvedAnew)
+{
+    Random random{static_cast<unsigned>(1000 + GetParam())};
+    LayeredTile tile = random_tile(GetParam(), random);
+    const TileStack free{TileStack::Mode::free, {uniform(random, -20, 20), uniform(random, -20, 20)}, 0};
+    for (const TileStack& stack : {TileStack{}, random_stack(tile, random), free}) {
+        tile.set_stack(stack);
+        const int aspect = int(random() % unsigned(tile.type().aspects()));
+        for (const double clearance : {0.0, 0.3}) {
+            const TileBottom bottom = std::array{TileBottom::carved, TileBottom::carved, TileBottom::column, TileBottom::flat}[random() % 4];
+            LayeredTile raised = tile;
+            const SolidPlan plan(raised, bottom, aspect, clearance);
+            for (const double most : {2.0, 0.0, 40.0}) {
+                for (int i = 0; i < raised.point_count(); ++i)
+                    if (most == 0 || random() % 3 == 0) raised.set_heights(std::array{i}, uniform(random, -most, most));
+                raised.extrude(6 + most);
+                ASSERT_TRUE(plan.fits(raised));
+                EXPECT_TRUE(digits(plan.solid(raised)) == digits(make_solid(LayeredTile(raised.design()), bottom, aspect, clearance)))
+                    << int(stack.mode) << " " << clearance << " " << int(bottom) << " " << most;
+            }
+        }
+    }
+}
+
+TEST(SolidPlan, FitsWhileOnlyHeightsAndThicknessChange)
+{
+    Random random(3);
+    const LayeredTile tile = random_tile(79, random);
+    const SolidPlan plan(tile);
+    const auto fits = [&](auto&& edit) {
+        LayeredTile other = tile;
+        edit(other);
+        return plan.fits(other);
+    };
+    EXPECT_TRUE(fits([](LayeredTile& t) { t.set_heights(std::array{0, t.point_count() - 1}, 5); }));
+    EXPECT_TRUE(fits([](LayeredTile& t) { t.extrude(11); }));
+    EXPECT_TRUE(fits([](LayeredTile& t) { t.set_frame(t.size(), 30, {7, 8}); }));
+    EXPECT_FALSE(fits([](LayeredTile& t) { t.set_frame(2 * t.size(), 0, {0, 0}); }));
+    EXPECT_FALSE(fits([](LayeredTile& t) { t.set_stack({TileStack::Mode::free, {1, 2}, 0}); }));
+    EXPECT_FALSE(fits([](LayeredTile& t) { t.remove_point(PointName::interior(2)); }));
+    EXPECT_FALSE(fits([](LayeredTile& t) { t.move_point(PointName::interior(2), t.position(t.find(PointName::interior(2))) + Point2(1e-3, 0)); }));
+    EXPECT_FALSE(fits([](LayeredTile& t) { t.set_path(0, {}); }));
+    EXPECT_FALSE(fits([](LayeredTile& t) { t.switch_type(41); }));
+    EXPECT_FALSE(plan.fits(LayeredTile::of_type(79, 20))); // flat still
 }
 
 std::vector<int> numbers()
