@@ -6,21 +6,29 @@
 
 namespace druse::ui {
 
-/// Turns the camera about its target: a drag across the picture is about half a turn.
+/// Turns the camera about its target: a drag across the picture is about half a turn. `free`: about axes of the picture, as a ball is rolled;
+/// else z stays upright in it, if it is.
 class OrbitGesture : public Gesture {
 public:
-    OrbitGesture(Camera& camera, const Pointer& start) : camera_(camera), last_(start) {}
+    OrbitGesture(Camera& camera, const Pointer& start, bool free) : camera_(camera), last_(start), free_(free) {}
     void move(const Pointer& p) override
     {
         constexpr double degrees_per_pixel = 0.35;
-        camera_.orbit(-degrees_per_pixel * (p.x - last_.x), degrees_per_pixel * (p.y - last_.y));
+        const double across = degrees_per_pixel * (p.x - last_.x), down = degrees_per_pixel * (p.y - last_.y);
         last_ = p;
+        if (free_ || camera_.angles().roll != 0) {
+            camera_.turn(camera_.up(), -across);
+            camera_.turn(camera_.right(), -down);
+        } else {
+            camera_.orbit(-across, down);
+        }
     }
     void release(const Pointer&) override {}
 
 private:
     Camera& camera_;
     Pointer last_;
+    bool free_;
 };
 
 /// Moves the model with the pointer.

@@ -145,7 +145,7 @@ std::optional<TileExport> ask_how_to_export_cell(const std::vector<StatusPart>& 
     Question::add_label(lines + 1, label, "method");
     Fl_Input clearance(l.margin() + label, Question::top(lines), field, l.button_height());
     Fl_Choice method(clearance.x(), Question::top(lines + 1), field, l.button_height());
-    const int buttons = l.px(160), small = l.px(80);
+    const int buttons = l.px(185), small = l.px(80);
     Fl_Return_Button ok(width - l.margin() - buttons, Question::top(lines + 2), buttons, l.button_height(), "To the main window");
     Fl_Button file(ok.x() - l.gap() - l.px(120), ok.y(), l.px(120), ok.h(), "To a file…"), cancel(file.x() - l.gap() - small, ok.y(), small, ok.h(), "Cancel");
     window.end();
@@ -169,17 +169,33 @@ std::optional<TileExport> ask_how_to_export_cell(const std::vector<StatusPart>& 
     return TileExport{command, to_file};
 }
 
-RollBack ask_how_to_roll_back(int pane, int moved, int splits)
+PaneShape shape_of(const CellTile& cell, int pane)
 {
-    const auto count = [](int n, const char* one, const char* more) { return fmt::format("{} {}", n, n == 1 ? one : more); };
-    std::string text = fmt::format("Pane {} becomes flat again, to edit its points and lines.\n{} moved; begun anew, it forgets that.", pane,
-                                   count(moved, "of its points was", "of its points were"));
-    if (splits > 0) text += fmt::format("\n{} in any case.", count(splits, "point that a split made goes", "points that splits made go"));
-    switch (fl_choice("%s", "Cancel", "Keep what was moved", "Begin anew", text.c_str())) {
-    case 1: return RollBack::keep;
-    case 2: return RollBack::anew;
-    default: return RollBack::cancel;
+    PaneShape shape;
+    for (int point = 0; point < cell.point_count(); ++point) {
+        if (cell.pane_of(point) != pane) continue;
+        if (cell.name(point).kind == CellPointName::Kind::split) ++shape.splits;
+        else if (cell.moved(point) != Vector(0.0)) ++shape.moved;
     }
+    for (const CellDetail& detail : cell.design().details) shape.flips += detail.kind == CellDetail::Kind::flip && detail.pane == pane;
+    return shape;
+}
+
+std::string roll_back_question(int pane, const PaneShape& shape)
+{
+    const auto count = [](int n, const char* one, const char* more) { return fmt::format("\n{} {}", n, n == 1 ? one : more); };
+    std::string text = fmt::format("Pane {} becomes flat again, to edit its points and lines.", pane);
+    if (shape.moved > 0) text += count(shape.moved, "of its points was moved; begun anew, it forgets that.", "of its points were moved; begun anew, it forgets that.");
+    if (shape.splits > 0) text += count(shape.splits, "point that a split made goes.", "points that splits made go.");
+    if (shape.flips > 0) text += count(shape.flips, "edge that was flipped turns back.", "edges that were flipped turn back.");
+    return text;
+}
+
+RollBack ask_how_to_roll_back(int pane, const PaneShape& shape)
+{
+    const std::string text = roll_back_question(pane, shape);
+    const int answer = shape.moved > 0 ? fl_choice("%s", "Cancel", "Keep what was moved", "Begin anew", text.c_str()) : fl_choice("%s", "Cancel", "Make it flat", nullptr, text.c_str());
+    return answer == 1 ? RollBack::keep : answer == 2 ? RollBack::anew : RollBack::cancel;
 }
 
 } // namespace druse::ui

@@ -2,6 +2,7 @@
 
 #include "ui/plane_picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -86,26 +87,38 @@ private:
             if (line.chain == pane_.lines[std::size_t(hit->line)].chain) painter_.line(at(place(line.ends[0])), at(place(line.ends[1])), 3.5 * scale_, colours_.selected);
     }
 
-    /// Handles help only where they do not run together.
-    bool has_room_for_handles() const
+    /// How large the handle of each point may be: 1, or less where others are so near that they would run together.
+    std::vector<double> sizes_of_handles() const
     {
-        const Point2 size = at(pane_.high()) - at(pane_.low());
-        return std::abs(size.x * size.y) > 150 * scale_ * scale_ * double(pane_.points.size());
+        const double roomy = 20 * scale_ / plane_.pixels;
+        std::vector<double> nearest(pane_.points.size(), roomy);
+        for (const PaneMesh::Corners& t : pane_.triangles)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const PaneMesh::Index a = t[k], b = t[(k + 1) % 3];
+                const double away = glm::distance(place(a), place(b));
+                nearest[a] = std::min(nearest[a], away);
+                nearest[b] = std::min(nearest[b], away);
+            }
+        for (double& size : nearest) size /= roomy;
+        return nearest;
     }
 
     void draw_handles()
     {
-        const bool room = has_room_for_handles();
-        for (const PanePoint& p : pane_.points) {
+        constexpr double least = 0.3, least_marked = 0.6;
+        const std::vector<double> sizes = sizes_of_handles();
+        for (std::size_t i = 0; i < pane_.points.size(); ++i) {
+            const PanePoint& p = pane_.points[i];
             const bool together = p.orbit == view_.hovered_orbit();
             const bool selected = view_.selected().contains(p.name) || view_.is_marked(p.name);
             const HandleMark mark = selected ? HandleMark::selected : together ? HandleMark::together : HandleMark::none;
-            if (!room && mark == HandleMark::none && p.kind != PanePoint::Kind::corner) continue;
+            if (sizes[i] < least && mark == HandleMark::none && p.kind != PanePoint::Kind::corner) continue;
+            const double size = mark == HandleMark::none ? sizes[i] : std::max(sizes[i], least_marked);
             switch (p.kind) {
             case PanePoint::Kind::corner: draw_corner_handle(p.at, mark, view_.shown().orbits ? corner_colour(p.orbit, dark_) : colours_.handle); break;
-            case PanePoint::Kind::interior: draw_inner_handle(p.at, mark); break;
-            case PanePoint::Kind::edge: draw_handle(p.at, 4.5, mark, side_colour(pane_.sides[std::size_t(p.here.line)].edge.orbit)); break;
-            case PanePoint::Kind::split: draw_handle(p.at, 3, mark, colours_.handle); break;
+            case PanePoint::Kind::interior: draw_inner_handle(p.at, mark, size); break;
+            case PanePoint::Kind::edge: draw_handle(p.at, 4.5 * size, mark, side_colour(pane_.sides[std::size_t(p.here.line)].edge.orbit)); break;
+            case PanePoint::Kind::split: draw_handle(p.at, 3 * size, mark, colours_.handle); break;
             }
         }
         if (const auto& hit = view_.hovered(); hit && hit->point >= 0) draw_ring(pane_.points[std::size_t(hit->point)].at);

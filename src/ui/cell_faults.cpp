@@ -14,11 +14,13 @@ namespace {
 CellFaults::Found find_faults(const CellTile& cell, Progress& progress)
 {
     const CellCheck check = druse::check(cell, {.clearance = 0, .joint = CellJoint::inset, .directions = false}, progress);
-    CellFaults::Found found{check.volume, check.self_intersections, {}};
+    CellFaults::Found found{check.volume, check.self_intersections, {}, {}};
     if (!check.pierced.empty()) {
         const CellCheck::Pierced& first = check.pierced.front();
         const Vector by = cell.world(cell.cell().at(first.neighbour));
-        found.trouble = fmt::format("meets pane {} of the neighbour at {:.4g},{:.4g},{:.4g}", first.side.pane, by.x, by.y, by.z);
+        const std::string place = fmt::format("{:.4g},{:.4g},{:.4g}", by.x, by.y, by.z);
+        found.trouble = fmt::format("meets pane {} of the neighbour at {}", first.side.pane, place);
+        found.where = fmt::format("pane {} at {}", first.side.pane, place);
     } else if (!check.sound()) {
         found.trouble = check.faults.front();
     }
@@ -30,7 +32,7 @@ CellFaults::Found find_faults(const CellTile& cell, Progress& progress)
 void CellFaults::follow(const CellTile* cell)
 {
     asked_ = cell ? std::optional(*cell) : std::nullopt;
-    const bool knew = std::exchange(found_, std::nullopt).has_value();
+    const bool knew = std::exchange(found_, std::nullopt).has_value() | !std::exchange(failure_, {}).empty();
     if (is_computing_) {
         is_wanted_ = false;
         worker_.cancel(); // finish() goes on from here
@@ -47,8 +49,8 @@ void CellFaults::start()
     worker_.start([this, cell = *std::exchange(asked_, std::nullopt)](Progress& progress) {
         try {
             result_.found = find_faults(cell, progress);
-        } catch (const std::exception&) { // cancelled, or too large: nothing is known then
-            result_.found.reset();
+        } catch (const std::exception& e) { // cancelled, and then nobody asks any more; or it cannot be told
+            result_.failure = e.what();
         }
     });
     if (worker_.wait(patience)) take_over();
@@ -58,7 +60,10 @@ void CellFaults::start()
 void CellFaults::take_over()
 {
     is_computing_ = false;
-    if (is_wanted_) found_ = std::exchange(result_, {}).found;
+    if (is_wanted_) {
+        found_ = std::move(result_.found);
+        failure_ = std::move(result_.failure);
+    }
     if (asked_) start();
     else if (on_change) on_change();
 }

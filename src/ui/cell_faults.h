@@ -22,9 +22,12 @@ public:
         double volume = 0;
         std::uint64_t pairs = 0; // of triangles that meet
         std::string trouble;     // `meets pane 2 of the neighbour at 4,0,0`; empty where it fits
+        std::string where = {};  // the same shorter: `pane 2 at 4,0,0`; empty where no neighbour is met
     };
     /// Of the cell that was asked about last; nothing while it is not known.
     const std::optional<Found>& found() const { return found_; }
+    /// Why it cannot be known; empty while it may be yet.
+    const std::string& failure() const { return failure_; }
 
     /// Asks about a cell, in place of what was asked before; null: about none.
     void follow(const CellTile* cell);
@@ -36,12 +39,14 @@ public:
 private:
     struct Result {
         std::optional<Found> found;
+        std::string failure = {};
     };
     void start();
     void take_over();
 
     std::optional<CellTile> asked_; // what waits for the worker
     std::optional<Found> found_;
+    std::string failure_;
     bool is_computing_ = false, is_wanted_ = false;
     Result result_;
     Worker worker_; // last: it is done before anything it works on goes

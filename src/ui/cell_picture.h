@@ -10,18 +10,17 @@
 
 namespace druse::ui {
 
-/// A cell in space, as it is drawn while it is edited: its own vertices and faces come first, those of its neighbours behind.
+/// A cell in space, as it is drawn while it is edited, its neighbours being copies of it.
 ///
-/// Where points are moved only what is elsewhere is put again, here and on all neighbours; where triangles are others, all is.
+/// Where points are moved only what is elsewhere is put again; where triangles are others, all is.
 class CellPicture {
 public:
     using Side = CellSolid::Side;
-    static constexpr std::size_t most_faces = 2'000'000; // shells are left out, the outermost first, but for one, where there would be more
+    static constexpr std::size_t most_faces = 2'000'000; // shells are left out, the outermost first, but for one, where more would be drawn
 
     bool is_shown = true; // else a mesh is, in its place
 
     /// Cells around it, which are shown where `shrink` is above 0: scaled about their own centres of mass, so that joints open; 1 is touching.
-    /// follow() then shows it.
     void set_neighbours(double shrink, int shells);
     double neighbours() const { return shrink_; }
     int shells() const { return shells_; }
@@ -34,9 +33,8 @@ public:
     int pane() const { return pane_; }
     const CellSolid& solid() const { return solid_; } // of the cell alone
 
-    /// Nothing for faces and vertices of neighbours.
-    std::optional<Side> pane_of(Face f) const;
-    std::optional<OrbitMember> orbit_of(Vertex v) const;
+    Side pane_of(Face f) const { return solid_.sides[f.index]; }
+    OrbitMember orbit_of(Vertex v) const;
     /// Its number among those of its pane. Precondition: a face of the cell
     int triangle_of(Face f) const;
     std::optional<Vertex> vertex_of(const OrbitMember& member) const;
@@ -47,7 +45,7 @@ public:
 private:
     void build();
     void update();
-    Point place(std::size_t vertex) const;
+    void place_neighbours();
     GroupColours colours() const;
 
     std::optional<CellTile> cell_;
@@ -59,10 +57,6 @@ private:
 
     double shrink_ = 0;
     int shells_ = 1;
-    bool is_old_ = true; // other neighbours are asked for than are drawn
-    std::vector<LatticeStep> around_;
-    std::vector<Vector> shifts_; // to them
-    Point centre_{0.0};          // of mass, as far as can be seen
 
     Mesh mesh_;
     DrawLists lists_;

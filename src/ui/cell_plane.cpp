@@ -1,5 +1,7 @@
 #include "ui/cell_plane.h"
 
+#include "ui/cell_match.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -25,10 +27,10 @@ void CellPlane::session_changed()
     if (scene && session_.document_version() != cell_version_) {
         cell_version_ = session_.document_version();
         const CellTile* held = std::get_if<CellTile>(&*scene->source);
-        const bool is_same_kind = held && cell_ && held->cell().kind == cell_->cell().kind, has_other_size = held && cell_ && held->size() != cell_->size();
+        const bool is_same_kind = held && cell_ && held->cell().kind == cell_->cell().kind, has_other_size = held && cell_ && held->cell().volume() != cell_->cell().volume();
+        if (!selected_.empty()) follow_selected(is_same_kind ? held : nullptr);
         cell_ = held ? std::optional(*held) : std::nullopt;
         shown_pane_ = is_same_kind && shown_pane_.pane >= 0 ? ui::shown_pane(*cell_, shown_pane_.pane) : ShownPane();
-        std::erase_if(selected_, [this](const std::string& name) { return std::ranges::find(shown_pane_.points, name, &PanePoint::name) == shown_pane_.points.end(); });
         hovered_.reset();
         if (shown_pane_.pane < 0 || !shown_pane_.is_flat) take_back();
         if (has_other_size) frame();
@@ -40,6 +42,18 @@ void CellPlane::session_changed()
         step_->go_on();
     }
     redraw();
+}
+
+/// The same points stay selected, whatever they are called in the cell that is there now.
+void CellPlane::follow_selected(const CellTile* now)
+{
+    if (!now) return selected_.clear();
+    const CellMatch match(*cell_, *now);
+    if (match.keeps_names()) return;
+    std::set<std::string> names;
+    for (const std::string& text : selected_)
+        if (const auto name = match.now(CellPointName::parse(text))) names.insert(name->text());
+    selected_ = std::move(names);
 }
 
 void CellPlane::show_pane(int pane)
@@ -77,7 +91,7 @@ PaneHit CellPlane::hit(const Point2& picture) const
 {
     PaneHit found;
     found.at = plane_.plane(picture);
-    found.point = point_near(found.at);
+    found.point = point_near(found.at, reach());
     if (found.point >= 0) return found;
     const auto& points = shown_pane_.points;
     double nearest = reach();
@@ -96,9 +110,8 @@ PaneHit CellPlane::hit(const Point2& picture) const
     return found;
 }
 
-int CellPlane::point_near(const Point2& place) const
+int CellPlane::point_near(const Point2& place, double nearest) const
 {
-    double nearest = reach();
     int found = -1;
     for (std::size_t i = 0; i < shown_pane_.points.size(); ++i)
         if (const double d = glm::distance(place, shown_pane_.points[i].at); d < nearest) nearest = d, found = int(i);
@@ -132,9 +145,9 @@ std::string CellPlane::hint() const
         const PanePoint& p = shown_pane_.points[std::size_t(hovered_->point)];
         switch (p.kind) {
         case Kind::interior: return fmt::format("{} at {:.4g}, {:.4g}: drag moves, Delete removes, c and a drag constrains", p.name, p.at.x, p.at.y);
-        case Kind::edge: return fmt::format("{} stays on its edge: {}c and a drag constrains", p.name, shown_pane_.may_edit_sides ? "Delete removes it there, " : "");
+        case Kind::edge: return fmt::format("{} stays on its edge: {}a drag to another point constrains", p.name, shown_pane_.may_edit_sides ? "Delete removes it there, " : "");
         case Kind::corner:
-        case Kind::split: return p.name + " stays where it is: c and a drag constrains";
+        case Kind::split: return p.name + " stays where it is: a drag to another point constrains";
         }
     }
     if (hovered_->rim >= 0)
@@ -154,6 +167,14 @@ bool CellPlane::may_edit()
 PlaneEditor::Gesture CellPlane::begin(const Pointer&)
 {
     grabbed_ = hit(pressed_);
+    if (constrain_next_ && grabbed_.point < 0) {
+        constexpr double generous = 3; // times as far as a point is reached otherwise: nothing else is meant now
+        grabbed_.point = point_near(grabbed_.at, generous * reach());
+        if (grabbed_.point < 0) {
+            note("a line begins at a point");
+            return Gesture::none;
+        }
+    }
     if (grabbed_.point >= 0) grabbed_point_ = shown_pane_.points[std::size_t(grabbed_.point)];
     if (box_next_) return Gesture::box;
     return constrain_next_ && grabbed_.point >= 0 ? Gesture::constrain : Gesture::click;
@@ -162,10 +183,7 @@ PlaneEditor::Gesture CellPlane::begin(const Pointer&)
 PlaneEditor::Gesture CellPlane::begin_drag(const Pointer&)
 {
     if (grabbed_.point < 0 || !may_edit()) return Gesture::pan;
-    if (grabbed_point_.kind != PanePoint::Kind::interior) {
-        note(grabbed_point_.name + " stays where it is: points of edges keep panes flat");
-        return Gesture::none;
-    }
+    if (grabbed_point_.kind != PanePoint::Kind::interior) return Gesture::constrain; // it does not move, so that is what is meant
     grip_ = grabbed_point_.at - grabbed_.at;
     return Gesture::edit;
 }
@@ -194,23 +212,34 @@ void CellPlane::click(const Pointer& p)
     }
 }
 
-/// Where on the edge of its orbit, as that runs; in decimals of some tenth of a pixel.
+/// At the foot of the pointer on the side, between the points that are beside it there. Steps of the grid are counted along the side from the foot of the pane's
+/// middle, where an axis crosses it if it runs along the other one. In decimals of some tenth of a pixel.
 void CellPlane::add_edge_point(const PaneHit& at)
 {
-    if (std::size_t(at.rim) >= shown_pane_.rim.size()) return; // the pane is another by now
-    const std::size_t k = std::size_t(shown_pane_.rim_sides[std::size_t(at.rim)]);
+    const auto& rim = shown_pane_.rim;
+    const auto i = std::size_t(at.rim);
+    if (i >= rim.size()) return; // the pane is another by now
+    const std::size_t k = std::size_t(shown_pane_.rim_sides[i]);
     const Point2 from = shown_pane_.outline[k], to = shown_pane_.outline[(k + 1) % shown_pane_.outline.size()];
-    const double length = glm::distance(from, to), along = glm::dot(tidy(at.at) - from, to - from) / (length * length);
-    const double parts = std::pow(10, std::ceil(std::log10(5 * plane_.pixels * length)));
+    const double length = glm::distance(from, to);
+    const auto along = [&](const Point2& p) { return glm::dot(p - from, to - from) / length; };
+    const double low = along(shown_pane_.points[rim[i]].at), high = along(shown_pane_.points[rim[(i + 1) % rim.size()]].at);
+    double place = along(at.at);
+    if (snaps()) {
+        const double foot = along(Point2(0.0)), snapped = foot + std::round((place - foot) / grid()) * grid();
+        if (snapped > low + cell_->snap() && snapped < high - cell_->snap()) place = snapped;
+    }
+    const double parts = std::pow(10, std::ceil(std::log10(5 * plane_.pixels * length))), t = std::clamp(place, low, high) / length;
     const CellSide& side = shown_pane_.sides[k];
-    session_.run(fmt::format("cell.edge_add edge={} t={}", side.edge.orbit, std::round((side.reversed ? 1 - along : along) * parts) / parts));
+    session_.run(fmt::format("cell.edge_add edge={} t={}", side.edge.orbit, std::round((side.reversed ? 1 - t : t) * parts) / parts));
 }
 
 std::optional<Point2> CellPlane::constraint_start() const { return grabbed_point_.at; }
 
 void CellPlane::end_constraint(const Point2& picture)
 {
-    const int to = point_near(plane_.plane(picture));
+    const int to = point_near(plane_.plane(picture), reach());
+    if (to < 0) note("a line ends at a point; " + grabbed_point_.name + " stays where it is");
     if (to < 0 || to == grabbed_.point) return;
     const PanePoint& end = shown_pane_.points[std::size_t(to)];
     draw_line(fmt::format("cell.constrain pane={} from={} to={}", shown_pane_.pane, grabbed_point_.here.text(), end.here.text()), Line(grabbed_point_.at, end.at));
@@ -224,6 +253,13 @@ void CellPlane::select_box(const Point2& low, const Point2& high, const Pointer&
         if (p.ctrl) names.erase(point.name);
         else names.insert(point.name);
     }
+    select(std::move(names));
+}
+
+void CellPlane::select_all()
+{
+    std::set<std::string> names;
+    for (const PanePoint& point : shown_pane_.points) names.insert(point.name);
     select(std::move(names));
 }
 
@@ -265,18 +301,16 @@ void CellPlane::remove()
     const bool is_line = names.empty() && hovered_ && hovered_->line >= 0;
     if ((names.empty() && !is_line) || !may_edit()) return;
     if (is_line) return remove_chain(shown_pane_.lines[std::size_t(hovered_->line)].chain);
-    // From the last to the first, so that the names of those before stay what they are.
-    std::set<CellPointName> points;
+    std::vector<std::string> points;
+    bool inside = false;
     for (const std::string& text : names) {
-        const CellPointName name = CellPointName::parse(text);
-        if (name.kind == CellPointName::Kind::interior || name.kind == CellPointName::Kind::edge) points.insert(name);
+        const CellPointName::Kind kind = CellPointName::parse(text).kind;
+        inside = inside || kind == CellPointName::Kind::interior;
+        if (kind == CellPointName::Kind::interior || kind == CellPointName::Kind::edge) points.push_back(text);
     }
-    if (points.empty()) note("corners stay");
+    if (points.empty()) return note("corners stay");
     select({});
-    for (auto name = points.rbegin(); name != points.rend(); ++name) {
-        session_.run((name->kind == CellPointName::Kind::interior ? "cell.point_remove point=" : "cell.edge_remove point=") + name->text());
-        session_.wait();
-    }
+    session_.run(fmt::format("cell.{}_remove point={}", inside ? "point" : "edge", fmt::join(points, ",")));
 }
 
 } // namespace druse::ui

@@ -56,11 +56,13 @@ public:
 
     void hover(const Pointer& pointer) override;
     void leave() override;
+    void select_all();
     void remove() override;
 
 private:
     PaneHit hit(const Point2& picture) const;
-    int point_near(const Point2& place) const;
+    int point_near(const Point2& place, double nearest) const; // −1: none is nearer
+    void follow_selected(const CellTile* now);
     bool may_edit(); // else a note says why not
     void add_edge_point(const PaneHit& at);
     void remove_chain(int chain);

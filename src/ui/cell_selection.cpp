@@ -1,5 +1,7 @@
 #include "ui/cell_selection.h"
 
+#include "ui/cell_match.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -9,6 +11,15 @@ namespace druse::ui {
 namespace {
 
 CellSelection::Pick pick_of(const CellTile& cell, const OrbitMember& member) { return {cell.name(member.orbit), member}; }
+
+std::vector<CellSelection::Pick> picks_without(std::vector<CellSelection::Pick> picks, const std::vector<OrbitMember>& members)
+{
+    const auto key = [](const OrbitMember& member) { return std::pair(member.orbit, member.shift); };
+    std::set<std::pair<int, LatticeStep>> out;
+    for (const OrbitMember& member : members) out.insert(key(member));
+    std::erase_if(picks, [&](const CellSelection::Pick& pick) { return out.contains(key(pick.at)); });
+    return picks;
+}
 
 } // namespace
 
@@ -30,8 +41,9 @@ std::string CellSelection::text() const
     return text;
 }
 
-void CellSelection::set(std::vector<Pick> picks)
+void CellSelection::set(const CellTile& cell, std::vector<Pick> picks)
 {
+    cell_ = picks.empty() ? std::nullopt : std::optional(cell);
     if (picks == picks_) return;
     picks_ = std::move(picks);
     if (on_change) on_change();
@@ -48,40 +60,35 @@ void CellSelection::pick(const CellTile& cell, const std::vector<OrbitMember>& m
 {
     std::vector<Pick> picks;
     for (const OrbitMember& member : members) picks.push_back(pick_of(cell, member));
-    set(std::move(picks));
+    set(cell, std::move(picks));
 }
 
 void CellSelection::add(const CellTile& cell, const std::vector<OrbitMember>& members)
 {
-    std::vector<Pick> picks = picks_;
-    std::erase_if(picks, [&](const Pick& pick) { return std::ranges::find(members, pick.at) != members.end(); }); // it is the last one again
+    std::vector<Pick> picks = picks_without(picks_, members); // one of them is the last one again
     for (const OrbitMember& member : members) picks.push_back(pick_of(cell, member));
-    set(std::move(picks));
+    set(cell, std::move(picks));
 }
 
 void CellSelection::drop(const std::vector<OrbitMember>& members)
 {
-    std::vector<Pick> picks = picks_;
-    std::erase_if(picks, [&](const Pick& pick) { return std::ranges::find(members, pick.at) != members.end(); });
-    set(std::move(picks));
+    if (cell_) set(*cell_, picks_without(picks_, members));
 }
 
-void CellSelection::clear() { set({}); }
+void CellSelection::clear()
+{
+    if (cell_) set(*cell_, {});
+}
 
 void CellSelection::follow(const CellTile* cell)
 {
+    if (!cell_) return;
+    if (!cell || cell->phase() != 2) return clear();
+    const CellMatch match(*cell_, *cell);
     std::vector<Pick> picks;
-    if (cell && cell->phase() == 2)
-        for (Pick pick : picks_) {
-            try {
-                pick.at.orbit = cell->find(pick.name);
-            } catch (const CellRefusal&) {
-                continue;
-            }
-            const auto members = cell->members(pick.at.orbit);
-            if (std::ranges::find(members, pick.at.shift) != members.end()) picks.push_back(std::move(pick));
-        }
-    set(std::move(picks));
+    for (const Pick& pick : picks_)
+        if (const auto member = member_now(match, *cell_, *cell, pick.at)) picks.push_back(pick_of(*cell, *member));
+    set(*cell, std::move(picks));
 }
 
 } // namespace druse::ui

@@ -3,6 +3,7 @@
 #include "cell/cell_tile.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ class CellSelection {
 public:
     /// One place of an orbit: with it the whole orbit moves.
     struct Pick {
-        CellPointName name; // of the orbit, which keeps it through edits
+        CellPointName name; // of the orbit
         OrbitMember at;     // its number now, and which of its members
         friend bool operator==(const Pick&, const Pick&) = default;
     };
@@ -36,13 +37,14 @@ public:
     void drop(const std::vector<OrbitMember>& members);
     void clear();
 
-    /// The cell has changed: what is no longer there is forgotten. Null, or a cell in phase I: all of it.
+    /// The cell has changed: the same points stay picked, whatever they are called now, and what is no longer there is forgotten. Null, or a cell in phase I: all of it.
     void follow(const CellTile* cell);
 
 private:
-    void set(std::vector<Pick> picks);
+    void set(const CellTile& cell, std::vector<Pick> picks);
 
     std::vector<Pick> picks_;
+    std::optional<CellTile> cell_; // that they are of, where there are any
 };
 
 } // namespace druse::ui

@@ -1,5 +1,6 @@
 #include "ui/cell_tool.h"
 
+#include "ui/cell_match.h"
 #include "ui/layout.h"
 
 #include "render/picking.h"
@@ -92,17 +93,17 @@ std::optional<Vertex> CellTool::vertex_under(const Pointer& p) const
 std::optional<CellTool::Spot> CellTool::spot_under(const Pointer& p) const
 {
     const auto hit = pick_face(picture_.lists(), camera_.ray(p.x, p.y));
-    const auto side = hit ? picture_.pane_of(hit->face) : std::nullopt;
-    if (!side) return {};
+    if (!hit || hit->copy > 0) return {};
+    const CellSolid::Side side = picture_.pane_of(hit->face);
     Spot spot;
-    spot.side = *side;
+    spot.side = side;
     spot.face = hit->face;
     spot.at = hit->point;
     spot.triangle = picture_.triangle_of(hit->face);
     const auto& corners = picture_.solid().triangles[hit->face.index];
     for (std::size_t k = 0; k < 3; ++k) spot.corners[k] = Vertex(corners[k]);
-    spot.points = picture_.cell()->mesh(side->pane).triangles[static_cast<std::size_t>(spot.triangle)];
-    if (side->far) std::swap(spot.points[1], spot.points[2]);
+    spot.points = picture_.cell()->mesh(side.pane).triangles[static_cast<std::size_t>(spot.triangle)];
+    if (side.far) std::swap(spot.points[1], spot.points[2]);
     double nearest = side_reach();
     for (int k = 0; k < 3; ++k) {
         const auto a = camera_.project(place(spot.corners[static_cast<std::size_t>(k)])), b = camera_.project(place(spot.corners[static_cast<std::size_t>((k + 1) % 3)]));
@@ -117,7 +118,8 @@ void CellTool::pick_pane(const Pointer& p) const
     if (!is_drawn() || !on_pane) return;
     const auto hit = pick_face(picture_.lists(), camera_.ray(p.x, p.y));
     if (!hit) on_pane(-1, false);
-    else if (const auto side = picture_.pane_of(hit->face)) on_pane(side->pane, side->far);
+    else if (hit->copy == 0) on_pane(picture_.pane_of(hit->face).pane, picture_.pane_of(hit->face).far);
+    else if (on_neighbour) on_neighbour();
 }
 
 std::optional<Target> CellTool::under(const Pointer& p) const
@@ -151,7 +153,8 @@ void CellTool::act(const Target& target, const Pointer& p)
 {
     if (!is_shaped()) return;
     if (target.vertex) {
-        if (const auto member = picture_.orbit_of(*target.vertex)) selection_.click(*picture_.cell(), *member, p.shift, p.ctrl);
+        if (target.vertex->index >= picture_.solid().points.size()) return; // it went since it was pressed
+        selection_.click(*picture_.cell(), picture_.orbit_of(*target.vertex), p.shift, p.ctrl);
     } else if (const auto spot = target.name.empty() ? spot_under(p) : std::nullopt) {
         if (mode_ == Mode::flip) flip(*spot);
         else split(*spot);
@@ -196,13 +199,14 @@ void CellTool::flip(const Spot& spot)
 
 bool CellTool::take_box(const Point2& low, const Point2& high, const Pointer& end)
 {
+    if (on_box) on_box();
     if (!is_shaped()) return true; // there is nothing to pick
     std::vector<OrbitMember> members;
     const std::vector<bool> facing = picture_.facing(camera_);
     for (std::uint32_t v = 0; v < facing.size(); ++v) {
         const auto seen = facing[v] ? camera_.project(place(Vertex(v))) : std::nullopt;
         if (!seen || seen->x < low.x || seen->y < low.y || seen->x > high.x || seen->y > high.y || is_hidden(place(Vertex(v)))) continue;
-        members.push_back(*picture_.orbit_of(Vertex(v)));
+        members.push_back(picture_.orbit_of(Vertex(v)));
     }
     if (end.ctrl) selection_.drop(members);
     else if (end.shift) selection_.add(*picture_.cell(), members);
@@ -276,14 +280,16 @@ bool CellTool::is_on_arrow(const Pointer& p) const
     if (!ends) return false;
     const Point2 pointer(p.x, p.y);
     if (is_end_on(*ends) || glm::distance(pointer, ends->first) < arrow_start()) return false;
-    if (distance_to_piece(pointer, ends->first, ends->second) > arrow_reach()) return false;
-    return is_seen(*picture_.vertex_of(selection_.last()->at));
+    return distance_to_piece(pointer, ends->first, ends->second) <= arrow_reach();
 }
 
 /// Takes what is picked along the arrow, or in the plane of a pane, with the pointer.
 class CellTool::Move : public Gesture {
 public:
-    Move(CellTool& tool, const Target& target, const Pointer& start) : tool_(tool), target_(target), start_(start) {}
+    Move(CellTool& tool, const Target& target, const Pointer& start) : tool_(tool), target_(target), start_(start)
+    {
+        if (target.vertex) pressed_.emplace(*tool.picture_.cell(), tool.picture_.orbit_of(*target.vertex));
+    }
     ~Move() override { tool_.is_moving_ = false; }
 
     void move(const Pointer& p) override
@@ -302,7 +308,7 @@ public:
     void release(const Pointer& p) override
     {
         move(p); // or it would be lost where it came together with the release
-        if (!moved_ && target_.vertex) tool_.act(target_, p);
+        if (!moved_ && find_pressed()) tool_.act(target_, p);
     }
     void cancel() override
     {
@@ -312,14 +318,24 @@ public:
     }
 
 private:
+    /// The point that was pressed, by its number in the cell that is there now: something may have been done since. @return false if it is gone
+    bool find_pressed()
+    {
+        if (!pressed_ || !tool_.is_shaped()) return false;
+        const auto& [cell, member] = *pressed_;
+        const CellTile& now = *tool_.picture_.cell();
+        const auto there = member_now(CellMatch(cell, now), cell, now, member);
+        target_.vertex = there ? tool_.picture_.vertex_of(*there) : std::nullopt;
+        return target_.vertex.has_value();
+    }
     bool begin()
     {
         if (tool_.step_ && tool_.step_->is_waiting()) return false;
-        if (target_.vertex) {
-            const auto member = tool_.picture_.orbit_of(*target_.vertex);
-            if (!member) return false;
-            if (!tool_.selection_.has(*member)) tool_.act(target_, start_);
-            if (!tool_.selection_.has(*member) || !take_plane(*member)) return false;
+        if (pressed_) {
+            if (!find_pressed()) return false;
+            const OrbitMember member = tool_.picture_.orbit_of(*target_.vertex);
+            if (!tool_.selection_.has(member)) tool_.act(target_, start_);
+            if (!tool_.selection_.has(member) || !take_plane(member)) return false;
         } else if (!take_arrow()) {
             return false;
         }
@@ -366,6 +382,7 @@ private:
 
     CellTool& tool_;
     Target target_;
+    std::optional<std::pair<CellTile, OrbitMember>> pressed_; // a point, in the cell as it was then
     Pointer start_;
     bool moved_ = false;
     std::string points_;
@@ -388,7 +405,7 @@ std::unique_ptr<Gesture> CellTool::press(const Pointer& start, const ShowTarget&
 std::string CellTool::hint() const
 {
     if (!picture_.cell()) return "choose a kind of cell";
-    if (!picture_.is_shown) return "this is the mesh that was made; undo, or an edit in the pane, shows the cell again";
+    if (!picture_.is_shown) return "this is the mesh that was made; a right click shows the cell again";
     if (!is_shaped()) return "right click a pane to edit it, beside the cell to leave it; drag to turn; Shape lets its points move in space";
     if (mode_ == Mode::split) return "click a triangle or an edge to split it, and its partner on the far pane";
     if (mode_ == Mode::flip) return "click an edge between two triangles to turn it into the other diagonal";

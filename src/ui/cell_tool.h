@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace druse::ui {
 
@@ -28,6 +29,10 @@ public:
 
     /// A pane was picked by a right click; −1: the click was beside the cell.
     std::function<void(int pane, bool far)> on_pane;
+    /// A right click was on a neighbour.
+    std::function<void()> on_neighbour;
+    /// A box was dragged.
+    std::function<void()> on_box;
     /// For View::on_menu.
     void pick_pane(const Pointer& pointer) const;
 
@@ -92,6 +97,7 @@ private:
     void flip(const Spot& spot);
     void add_panes(Overlay& overlay) const;
     void add_hovered_edge(Overlay& overlay) const;
+    std::vector<double> spacing() const;
     void add_points(Overlay& overlay) const;
     void add_arrow(Overlay& overlay) const;
 

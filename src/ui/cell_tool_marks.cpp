@@ -4,6 +4,8 @@
 #include "ui/layout.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace druse::ui {
@@ -13,12 +15,12 @@ namespace {
 constexpr std::size_t most_cell_dots = 1500;       // above that only what is picked has some
 constexpr std::size_t most_cell_looks = 200000; // boxes of triangles, to find out what is hidden
 constexpr double hidden_opacity = 0.3;
+constexpr double least_spacing = 5; // pixels between points that have dots
 constexpr Colour point_colour{0xff, 0xff, 0xff}, dot_rim{0x1c, 0x1d, 0x20}, picked_colour{0xff, 0x4d, 0x3d}, partner_colour{0x7d, 0xe0, 0xff}, edited_colour{0xff, 0xff, 0xff};
 
-void add_cell_dot(Overlay& overlay, const Point& at, Colour colour, double size, double opacity)
+void add_cell_dot(Overlay& overlay, const Point& at, Colour colour, double pixels, double opacity)
 {
-    const double pixels = size * layout().scale;
-    overlay.lines.push_back({at, at, dot_rim, pixels + 3 * layout().scale, opacity});
+    overlay.lines.push_back({at, at, dot_rim, pixels + std::min(3 * layout().scale, 0.5 * pixels), opacity});
     overlay.lines.push_back({at, at, colour, pixels, opacity});
 }
 
@@ -69,6 +71,26 @@ void CellTool::add_hovered_edge(Overlay& overlay) const
     }
 }
 
+/// How far each point of the cell is from the nearest one that it has an edge with, as it is seen, in pixels.
+std::vector<double> CellTool::spacing() const
+{
+    const CellSolid& solid = picture_.solid();
+    std::vector<std::optional<Point2>> seen;
+    seen.reserve(solid.points.size());
+    for (const Point& p : solid.points) seen.push_back(camera_.project(p));
+    std::vector<double> spacing(solid.points.size(), std::numeric_limits<double>::infinity());
+    for (const auto& triangle : solid.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = triangle[k], b = triangle[(k + 1) % 3];
+            if (!seen[a] || !seen[b]) continue;
+            const double away = glm::distance(*seen[a], *seen[b]);
+            spacing[a] = std::min(spacing[a], away);
+            spacing[b] = std::min(spacing[b], away);
+        }
+    return spacing;
+}
+
+/// Dots are no larger than leaves something to be seen between them, and go where they would only be dust.
 void CellTool::add_points(Overlay& overlay) const
 {
     const CellTile& cell = *picture_.cell();
@@ -93,20 +115,22 @@ void CellTool::add_points(Overlay& overlay) const
     const std::vector<bool> facing = picture_.facing(camera_);
     const auto may_look = [&](std::size_t places) { return places * picture_.lists().pick_boxes().size() < most_cell_looks; };
     const bool looks = may_look(count), looks_at_marked = may_look(marked_places);
+    const std::vector<double> spacing = count <= most_cell_dots || marked_places > 0 ? this->spacing() : std::vector<double>();
     // What is behind comes first, so that nothing before it is covered by it.
     for (const bool front : {false, true})
         for (std::uint32_t v = 0; v < count; ++v) {
-            const OrbitMember member = *picture_.orbit_of(Vertex(v));
+            const OrbitMember member = picture_.orbit_of(Vertex(v));
             const bool is_marked = marked[static_cast<std::size_t>(member.orbit)];
-            if (!is_marked && (!front || count > most_cell_dots)) continue;
+            if (!is_marked && (!front || count > most_cell_dots || spacing[v] < least_spacing * layout().scale)) continue;
             if (const bool is_before = facing[v] && !((is_marked ? looks_at_marked : looks) && is_hidden(place(Vertex(v)))); is_before != front) continue;
             if (is_marked) {
-                add_cell_dot(overlay, place(Vertex(v)), picked[v] ? picked_colour : partner_colour, 11, front ? 1 : hidden_opacity);
+                add_cell_dot(overlay, place(Vertex(v)), picked[v] ? picked_colour : partner_colour, std::clamp(0.7 * spacing[v], 5 * layout().scale, 11 * layout().scale), front ? 1 : hidden_opacity);
                 continue;
             }
             const CellPointName name = cell.name(member.orbit);
             const bool is_corner = name.kind == CellPointName::Kind::corner, is_edge = name.kind == CellPointName::Kind::edge;
-            add_cell_dot(overlay, place(Vertex(v)), is_corner ? corner_colour(name.index, true) : is_edge ? orbit_colour(name.line, true) : point_colour, 6, 1);
+            add_cell_dot(overlay, place(Vertex(v)), is_corner ? corner_colour(name.index, true) : is_edge ? orbit_colour(name.line, true) : point_colour,
+                         std::min(6 * layout().scale, 0.3 * spacing[v]), 1);
         }
 }
 

@@ -83,8 +83,6 @@ CellWindow::CellWindow(const Registry& registry, Preferences& preferences, bool 
 
     selection_.on_change = [this] {
         pass_selection();
-        near_.forget_box();
-        far_.forget_box();
         std::set<std::string> names;
         for (const CellSelection::Pick& pick : selection_.picks()) names.insert(pick.name.text());
         plane_.mark(std::move(names)); // the same points, in the pane
@@ -93,6 +91,7 @@ CellWindow::CellWindow(const Registry& registry, Preferences& preferences, bool 
         tell_selection();
     };
     plane_.on_select = [this] { update_status(); };
+    plane_.on_box = [this] { forget_boxes(); };
     faults_.wake = [this] {
         Fl::awake([](void* faults) { static_cast<CellFaults*>(faults)->finish(); }, &faults_);
     };
@@ -119,7 +118,7 @@ CellWindow::CellWindow(const Registry& registry, Preferences& preferences, bool 
 
 CellWindow::~CellWindow()
 {
-    plane_.on_select = nullptr;
+    plane_.on_select = plane_.on_box = nullptr;
     plane_.on_redraw = nullptr;
     selection_.on_change = nullptr;
     faults_.wake = nullptr;
@@ -132,12 +131,18 @@ void CellWindow::make_view(View& view, Viewport& port, CellTool*& tool)
 {
     auto made = std::make_unique<CellTool>(session_, view.camera(), plane_, picture_, selection_);
     tool = made.get();
-    tool->on_pane = [this](int pane, bool far) { show_pane(pane, far); };
+    tool->on_pane = [this, &view](int pane, bool far) { show_pane(pane, far != (&view == &far_)); }; // it turns to where it was clicked
     view.use_tool(std::move(made));
     view.set_animated(!test_);
-    view.stand_in = [this]() -> const DrawLists* { return shows_mesh() ? nullptr : &picture_.lists(); };
+    view.set_free_orbit(true);
+    view.stand_in = [this]() -> const DrawLists* { return shows_solid() ? nullptr : &picture_.lists(); };
     view.on_event = [this, &view](const std::string& line) { event(&view == &far_ ? "opposite " + line : line); };
-    view.on_menu = [tool](const Pointer& pointer) { tool->pick_pane(pointer); };
+    view.on_menu = [this, tool](const Pointer& pointer) { shows_solid() ? show_cell_again() : tool->pick_pane(pointer); };
+    tool->on_neighbour = [this] {
+        session_.say(Message::Kind::note, "a neighbour is before the cell: the slider below makes it smaller");
+        refresh();
+    };
+    tool->on_box = [this] { forget_boxes(); };
     port.on_frame = [this, &view](int frame) {
         if (&view == &near_) event("frame " + std::to_string(frame));
         skew_.redraw(); // it turns with the camera, which the other view may turn alone
@@ -151,8 +156,8 @@ void CellWindow::show()
     const bool first = !shown();
     SourceWindow::show();
     if (first) {
-        near_port_.show();
-        if (!single_) far_port_.show();
+        for (Viewport* port : {&near_port_, &far_port_})
+            if (!single_ || port == &first_port()) port->show();
     }
     canvas_.take_focus();
 }
@@ -180,8 +185,7 @@ void CellWindow::place_views(int x, int y, int w, int bottom)
 {
     const Layout& l = layout();
     const int below = bottom - l.row_height(), pad = l.margin(), gap = 2 * l.divider(), half = (w - gap) / 2;
-    Viewport& first = swapped_ ? far_port_ : near_port_;
-    Viewport& second = swapped_ ? near_port_ : far_port_;
+    Viewport &first = first_port(), &second = &first == &near_port_ ? far_port_ : near_port_;
     first.resize(x, y, single_ ? w : half, below - y);
     if (!single_) second.resize(x + half + gap, y, w - half - gap, below - y);
     const int label = l.px(84), shells = l.px(50), choice = l.px(56), room = w - label - shells - choice - 4 * pad;
@@ -208,7 +212,8 @@ void CellWindow::place_strip(int y, int bottom)
 
 void CellWindow::follow_source()
 {
-    picture_.is_shown = !shows_mesh();
+    if (session_.scene() && session_.document_version() != picture_version_) shows_cell_again_ = false; // something else was done
+    picture_.is_shown = !shows_solid();
     plane_.session_changed();
     follow_cell();
     near_tool_->go_on();
@@ -232,7 +237,7 @@ void CellWindow::follow_picture()
 {
     const double begun = cell_clock();
     const auto& drawn = picture_.cell();
-    const bool is_another = drawn && cell() && (drawn->cell().kind != cell()->cell().kind || drawn->size() != cell()->size());
+    const bool is_another = drawn && cell() && (drawn->cell().kind != cell()->cell().kind || drawn->cell().volume() != cell()->cell().volume());
     picture_.follow(cell(), plane_.pane());
     picture_seconds_ = cell_clock() - begun;
     selection_.follow(cell());
@@ -248,15 +253,15 @@ void CellWindow::follow_picture()
 
 void CellWindow::redraw_views()
 {
-    near_port_.redraw();
-    if (!single_) far_port_.redraw();
+    for (Viewport* port : {&near_port_, &far_port_})
+        if (port->visible()) port->redraw();
 }
 
 void CellWindow::refresh_parts()
 {
     near_.session_changed();
     far_.session_changed();
-    if (shows_mesh()) redraw_views();
+    if (shows_solid()) redraw_views();
     bar_.set_type(cell() ? cell_title(cell()->cell().kind) : std::string(), [](int) { return Image(); });
     facts_panel_.show_facts(cell_facts());
     skew_section_.set_note(cell() ? fmt::format("det {:.4g}", cell()->determinant()) : std::string());
@@ -269,8 +274,9 @@ std::vector<StatusPart> CellWindow::facts() const
     std::vector<StatusPart> parts;
     if (!cell()) return parts;
     parts.push_back({fmt::format("{}, size {:.4g} {}", name(cell()->cell().kind), cell()->size(), preferences_.unit)});
-    parts.push_back({cell()->phase() == 1 ? "panes are flat" : fmt::format("{} points in space", cell()->point_count())});
+    parts.push_back({cell()->phase() == 1 ? "panes are flat" : fmt::format("{} orbits of points", cell()->point_count())});
     parts.push_back({fmt::format("volume {:.5g} {}³", cell()->volume(), preferences_.unit)});
+    if (!faults_.failure().empty()) parts.push_back({faults_.failure(), true});
     if (const auto& found = faults_.found()) parts.push_back(found->trouble.empty() ? StatusPart{"fills space"} : StatusPart{found->trouble, true});
     if (!selection_.empty()) parts.push_back({fmt::format("sel {}", selection_.picks().size())});
     else if (!plane_.selected().empty()) parts.push_back({fmt::format("sel {}", plane_.selected().size())});
@@ -290,12 +296,13 @@ std::vector<Fact> CellWindow::cell_facts() const
     list.push_back({"volume", fmt::format("{:.6g} {}³", found ? found->volume : cell()->volume(), preferences_.unit), Tone::plain});
     list.push_back({"lattice cell", fmt::format("{:.6g} {}³", cell()->volume(), preferences_.unit), Tone::plain});
     if (!found) {
-        list.push_back({"fits neighbours", "…", Tone::plain});
+        list.push_back({"fits neighbours", faults_.failure().empty() ? "…" : "unknown", faults_.failure().empty() ? Tone::plain : Tone::warning});
+        if (!faults_.failure().empty()) list.push_back({"", faults_.failure(), Tone::warning});
         return list;
     }
-    list.push_back({"self-crossing", found->pairs == 0 ? "no" : fmt::format("{} triangles", found->pairs), found->pairs == 0 ? Tone::good : Tone::warning});
-    list.push_back({"fits neighbours", found->trouble.empty() ? "yes" : "no", found->trouble.empty() ? Tone::good : Tone::warning});
-    if (!found->trouble.empty()) list.push_back({"", found->trouble, Tone::warning});
+    list.push_back({"self-crossing", found->pairs == 0 ? "no" : fmt::format("{} pair{} of triangles", found->pairs, found->pairs == 1 ? "" : "s"), found->pairs == 0 ? Tone::good : Tone::warning});
+    list.push_back({"fits neighbours", found->trouble.empty() ? "yes" : found->where.empty() ? "no" : "no: " + found->where, found->trouble.empty() ? Tone::good : Tone::warning});
+    if (!found->trouble.empty() && found->where.empty()) list.push_back({"", found->trouble, Tone::warning});
     return list;
 }
 
@@ -339,7 +346,7 @@ void CellWindow::pass_selection()
     const Operator* op = session_.chosen();
     if (!op || op->family() != "cell") return;
     session_.let_go(); // the step that was made stays what it is
-    if (op->name == "cell.move" && !selection_.empty()) session_.set("points", selection_.text());
+    if (op->name == "cell.move") session_.set("points", selection_.text());
     else if (op->name != "cell.move" && op->find("pane") && plane_.pane() >= 0) session_.set("pane", std::to_string(plane_.pane()));
 }
 
@@ -375,14 +382,15 @@ void CellWindow::show_pane(int pane, bool far)
 {
     if (!cell() || pane >= cell()->pane_count()) return;
     if (pane >= 0) {
-        if (!before_pane_) before_pane_ = near_.camera().angles();
+        if (!before_pane_) before_pane_ = {near_.camera().angles(), far_.camera().angles()};
         plane_.show_pane(pane);
         link_.look_at(normal_of(*cell(), {pane, far}));
         const Point2 middle = plane_.plane().picture(Point2(0.0));
         event(fmt::format("pane {} {} at {:.1f},{:.1f} by {:.6g}", pane, far ? "far" : "near", canvas_.x() + middle.x, canvas_.y() + middle.y, plane_.plane().pixels));
     } else {
         plane_.show_pane(-1);
-        if (before_pane_) near_.look(*before_pane_, pane_turn_seconds);
+        if (before_pane_) near_.look(before_pane_->first, pane_turn_seconds);
+        if (before_pane_ && !link_.is_linked()) far_.look(before_pane_->second, pane_turn_seconds);
         before_pane_.reset();
         event("pane none");
     }
@@ -409,13 +417,8 @@ void CellWindow::go_to_panes()
         refresh();
         return;
     }
-    int moved = 0, splits = 0;
-    for (int point = 0; point < cell()->point_count(); ++point) {
-        if (cell()->pane_of(point) != pane) continue;
-        if (cell()->name(point).kind == CellPointName::Kind::split) ++splits;
-        else if (cell()->moved(point) != Vector(0.0)) ++moved;
-    }
-    const RollBack answer = moved + splits == 0 ? RollBack::keep : ask_how_to_roll_back(pane, moved, splits);
+    const PaneShape shape = shape_of(*cell(), pane);
+    const RollBack answer = shape.empty() ? RollBack::keep : ask_how_to_roll_back(pane, shape);
     if (answer == RollBack::cancel) return;
     session_.run_chosen(fmt::format("cell.rollback pane={}{}", pane, answer == RollBack::anew ? " keep=false" : ""));
 }
@@ -449,7 +452,6 @@ void CellWindow::set_neighbours(double shrink)
 {
     const bool other_cells = (shrink > 0) != (picture_.neighbours() > 0) || (shrink > 0 && shells_.value() + 1 != picture_.shells());
     picture_.set_neighbours(shrink, shells_.value() + 1);
-    picture_.follow(cell(), plane_.pane());
     if (other_cells) frame_views();
     redraw_views();
 }
@@ -458,17 +460,86 @@ void CellWindow::frame_views()
 {
     if (!cell()) return;
     for (View* view : {&near_, &far_}) {
-        if (view == &far_ && link_.is_linked()) continue;
-        if (shows_mesh() || picture_.neighbours() > 0) view->frame_all();
+        if (link_.is_linked() && view != (&first_port() == &near_port_ ? &near_ : &far_)) continue; // it follows
+        if (shows_solid() || picture_.neighbours() > 0) view->frame_all();
         else view->frame(around(picture_.solid(), view->camera()));
     }
+}
+
+/// The mesh that was made is left aside, until there is another one.
+void CellWindow::show_cell_again()
+{
+    shows_cell_again_ = true;
+    picture_.is_shown = true;
+    event("shows the cell");
+    near_.leave(), far_.leave(); // what was under the pointer was the mesh's
+    redraw_views();
+    refresh();
+}
+
+/// Escape. @return false if there is nothing to take back
+bool CellWindow::cancel_gesture()
+{
+    if (skew_.cancel()) {
+        canvas_.take_focus();
+        return true;
+    }
+    if (near_.cancel() || far_.cancel() || plane_.cancel()) return true;
+    if (selection_.empty()) return false;
+    selection_.clear();
+    return true;
+}
+
+/// Points of the pane while it is flat, or those in space.
+void CellWindow::select_all()
+{
+    if (!has_cell()) return;
+    if (plane_.pane() >= 0 && is_pane_flat()) return plane_.select_all();
+    if (cell()->phase() == 1) return;
+    std::vector<OrbitMember> points;
+    for (int point = 0; point < cell()->point_count(); ++point) points.push_back({point, {}});
+    selection_.pick(*cell(), points);
+}
+
+/// The next drag is a box, in the part that the pointer is in; where it is in none, as after a menu, in the first that takes one.
+void CellWindow::start_box()
+{
+    const Fl_Widget* below = Fl::belowmouse();
+    const bool anywhere = below != &canvas_ && below != &near_port_ && below != &far_port_;
+    forget_boxes();
+    if (anywhere || below == &canvas_) plane_.start_box();
+    if (anywhere || below == &near_port_) near_.start_box_select();
+    if (anywhere || below == &far_port_) far_.start_box_select();
+    update_hint();
+}
+
+void CellWindow::forget_boxes()
+{
+    plane_.forget_box();
+    near_.forget_box();
+    far_.forget_box();
+}
+
+/// Turns both views, or the one that the pointer is in where they turn by themselves.
+void CellWindow::look(ViewAngles angles)
+{
+    const bool far = !link_.is_linked() && Fl::belowmouse() == &far_port_;
+    (far ? far_ : near_).look(angles);
+    animate_.start(cell_frame_time); // the view may be hidden, and then no frame of its own starts it
+}
+
+/// Of what the pointer is in.
+void CellWindow::zoom(double factor)
+{
+    if (Fl::belowmouse() == &near_port_) near_.zoom(factor);
+    else if (Fl::belowmouse() == &far_port_) far_.zoom(factor);
+    else plane_.zoom(factor);
 }
 
 void CellWindow::set_single(bool single)
 {
     single_ = single;
-    Viewport& second = swapped_ ? near_port_ : far_port_;
-    Viewport& first = swapped_ ? far_port_ : near_port_;
+    Viewport &first = first_port(), &second = &first == &near_port_ ? far_port_ : near_port_;
     first.show();
     single ? second.hide() : second.show();
     place_parts();

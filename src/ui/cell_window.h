@@ -44,7 +44,7 @@ private:
     void refresh_parts() override;
     std::vector<StatusPart> facts() const override;
     std::string hint() const override;
-    bool cancel_gesture() override { return near_.cancel() || far_.cancel() || skew_.cancel() || plane_.cancel(); }
+    bool cancel_gesture() override;
     void refresh_bar() override { bar_.refresh(); }
     Fl_Widget& main_part() override { return canvas_; }
     void place_parts() override;
@@ -58,6 +58,10 @@ private:
     void place_strip(int y, int bottom);
 
     const CellTile* cell() const { return plane_.cell() ? &*plane_.cell() : nullptr; }
+    /// That on the left, which is there alone in a single view.
+    Viewport& first_port() { return swapped_ ? far_port_ : near_port_; }
+    void look(ViewAngles angles);
+    void zoom(double factor);
     void follow_cell();
     void follow_picture();
     void redraw_views();
@@ -65,6 +69,8 @@ private:
     void tell_selection();
     void pass_selection();
 
+    bool shows_solid() const { return shows_mesh() && !shows_cell_again_; }
+    void show_cell_again();
     bool has_cell();
     bool is_pane_flat() const; // or all are, where none is shown
     void choose_kind();
@@ -72,6 +78,9 @@ private:
     void step_pane(int by);
     void go_to_panes();
     void go_to_shape();
+    void select_all();
+    void start_box();
+    void forget_boxes();
     void set_mode(CellTool::Mode mode);
     void set_along(CellTool::Along along);
     void set_neighbours(double shrink);
@@ -88,7 +97,8 @@ private:
     CellTool *near_tool_ = nullptr, *far_tool_ = nullptr; // the views'
     std::uint64_t picture_version_ = 0;
     bool framed_ = false;
-    std::optional<ViewAngles> before_pane_; // how it was seen when a pane was turned to
+    bool shows_cell_again_ = false; // though a mesh was made last
+    std::optional<std::pair<ViewAngles, ViewAngles>> before_pane_; // how both views saw it when a pane was turned to
     std::pair<int, int> pointed_at_{-1, -1}; // orbits of a point and of an edge, in the flat pane
     std::string told_, told_skew_; // to the event log: of the selection, and where handles are
 

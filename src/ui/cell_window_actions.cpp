@@ -12,7 +12,8 @@ Actions CellWindow::make_actions()
     Actions list = file_actions([this] { choose_kind(); }, [this] { export_cell(); });
     list.push_back({"Edit/Remove", FL_Delete, [this] { plane_.remove(); }});
     list.push_back({.path = "Edit/Constrain by a drag", .shortcut = 'c', .run = [this] { plane_.start_constraint(), update_hint(); }, .divider = true});
-    list.push_back({"Edit/Select by a box", 'b', [this] { plane_.start_box(), near_.start_box_select(), far_.start_box_select(), update_hint(); }});
+    list.push_back({"Edit/Select by a box", 'b', [this] { start_box(); }});
+    list.push_back({"Edit/Select all", 'a', [this] { select_all(); }});
     list.push_back({"Edit/Select none", 0, [this] { plane_.select({}), selection_.clear(); }});
     list.push_back({"Cell/Phase 1: panes…", FL_F + 2, [this] { go_to_panes(); }, [this] { return cell() && is_pane_flat(); }});
     list.push_back({"Cell/Phase 2: shape", FL_F + 3, [this] { go_to_shape(); }, [this] { return cell() && !is_pane_flat(); }});
@@ -45,8 +46,8 @@ void CellWindow::add_view_actions(Actions& list)
                         [this, what] { return plane_.shown().*what; }});
     };
     list.push_back({"View/Frame the cell", FL_Home, [this] { plane_.frame(), frame_views(); }});
-    list.push_back({"View/Zoom in", '+', [this] { plane_.zoom(1.25); }});
-    list.push_back({.path = "View/Zoom out", .shortcut = '-', .run = [this] { plane_.zoom(0.8); }, .divider = true});
+    list.push_back({"View/Zoom in", '+', [this] { zoom(1.25); }});
+    list.push_back({.path = "View/Zoom out", .shortcut = '-', .run = [this] { zoom(0.8); }, .divider = true});
     toggle("View/Triangles", 't', &CellPlane::Shown::triangles);
     toggle("View/Colours of orbits", 'o', &CellPlane::Shown::orbits);
     toggle("View/Grid", 'g', &CellPlane::Shown::grid);
@@ -66,13 +67,18 @@ void CellWindow::add_view_actions(Actions& list)
                         neighbours_.redraw();
                         set_neighbours(neighbours_.value());
                     }, .is_on = [this] { return neighbours_.value() > 0; }, .divider = true});
-    for (const auto& [path, key, angles] : {std::tuple("View/Front", '1', ViewAngles{0, 0}), std::tuple("View/Right", '3', ViewAngles{90, 0}),
-                                            std::tuple("View/Top", '7', ViewAngles{0, 90})})
-        list.push_back({path, key, [this, a = angles] { near_.look(a); }});
+    for (const auto& [path, key, angles] : {std::tuple("View/Front", int('1'), ViewAngles{0, 0}), std::tuple("View/Back", FL_CTRL + '1', ViewAngles{180, 0}),
+                                            std::tuple("View/Right", int('3'), ViewAngles{90, 0}), std::tuple("View/Left", FL_CTRL + '3', ViewAngles{-90, 0}),
+                                            std::tuple("View/Top", int('7'), ViewAngles{0, 90}), std::tuple("View/Bottom", FL_CTRL + '7', ViewAngles{0, -90})})
+        list.push_back({path, key, [this, a = angles] { look(a); }});
     list.push_back({"View/Parallel", '5', [this] {
                         const bool parallel = !near_.camera().parallel();
                         for (View* view : {&near_, &far_}) view->set_parallel(parallel);
                     }, [this] { return near_.camera().parallel(); }});
+    list.push_back({"View/Free orbit", 0, [this] {
+                        const bool free = !near_.is_free_orbit();
+                        for (View* view : {&near_, &far_}) view->set_free_orbit(free);
+                    }, [this] { return near_.is_free_orbit(); }});
 }
 
 void CellWindow::make_bar()

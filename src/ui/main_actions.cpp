@@ -134,7 +134,10 @@ void add_view_actions(Actions& list, MainWindow& w)
     list.push_back({.path = "View/Parallel",
                     .shortcut = '5',
                     .run = [&view] { view.set_parallel(!view.camera().parallel()); },
-                    .is_on = [&view] { return view.camera().parallel(); },
+                    .is_on = [&view] { return view.camera().parallel(); }});
+    list.push_back({.path = "View/Free orbit",
+                    .run = [&view] { view.set_free_orbit(!view.is_free_orbit()); },
+                    .is_on = [&view] { return view.is_free_orbit(); },
                     .divider = true});
     list.push_back(style_toggle(w, "View/Edges", 'e', [](const Style& s) { return s.edges; }, [](Style& s, bool on) { s.edges = on; }));
     list.push_back(style_toggle(w, "View/Wireframe", 'w', [](const Style& s) { return s.wireframe; }, [](Style& s, bool on) { s.wireframe = on; }));

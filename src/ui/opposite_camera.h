@@ -7,8 +7,6 @@ namespace druse::ui {
 /// How long a turn to a pane takes.
 inline constexpr double pane_turn_seconds = 0.35;
 
-/// The view from which a pane with that outward normal is seen at right angles, its coordinates upright.
-ViewAngles facing(const Vector& normal);
 /// From the opposite side through a centre: what stands upright still does.
 Camera opposite(const Camera& camera, const Point& centre);
 
@@ -25,7 +23,7 @@ public:
     void set_linked(bool on);
     const Point& centre() const { return centre_; }
     void set_centre(const Point& centre);
-    /// Turns one to a pane, and so the other to the pane opposite.
+    /// Turns one to a pane by the smallest angle, and so the other to the pane opposite.
     void look_at(const Vector& normal);
 
 private:

@@ -188,6 +188,7 @@ void PlaneEditor::release(const Pointer& p)
         box_next_ = false;
         const Point2 a = plane_.plane(pressed_), b = plane_.plane(*pointer_);
         select_box(glm::min(a, b), glm::max(a, b), p);
+        if (on_box) on_box();
         break;
     }
     case Gesture::edit: // the last move may have come together with the release, and then there was no drag

@@ -30,6 +30,7 @@ public:
 
     std::function<void()> on_redraw;
     std::function<void()> on_select;
+    std::function<void()> on_box; // one was dragged
 
     // --- what is shown ------------------------------------------------------------------------------------------------------------
 
@@ -91,7 +92,7 @@ protected:
     virtual bool may_constrain() const { return true; }
     /// What a press of the left button begins where there is something: click, constrain, box, edit or pan.
     virtual Gesture begin(const Pointer& pointer) = 0;
-    /// What a click becomes that is dragged: pan, box or edit.
+    /// What a click becomes that is dragged: pan, box, constrain or edit.
     virtual Gesture begin_drag(const Pointer& pointer) = 0;
     virtual void click(const Pointer& pointer) = 0;
     /// Of `edit`, to a place in the picture.

@@ -29,7 +29,7 @@ constexpr PlaneColours light_plane{.background = {0xf4, 0xf5, 0xf7},
                                    .grid = {0xe4, 0xe7, 0xea},
                                    .axis = {0xc9, 0xce, 0xd4},
                                    .neighbours = {{{0xd6, 0xda, 0xdf}, {0xe3, 0xe6, 0xea}, {0xc8, 0xcd, 0xd4}}},
-                                   .neighbour_line = {0x8d, 0x94, 0x9d},
+                                   .neighbour_line = {0x74, 0x7b, 0x85},
                                    .tile = {0xe2, 0xa2, 0x67},
                                    .line = {0x2a, 0x24, 0x20},
                                    .triangle = {0x9c, 0x68, 0x38},
@@ -69,10 +69,10 @@ void PlanePicture::draw_handle(const Point2& p, double radius, HandleMark mark, 
     painter_.disc(c, r, colour);
 }
 
-void PlanePicture::draw_inner_handle(const Point2& p, HandleMark mark)
+void PlanePicture::draw_inner_handle(const Point2& p, HandleMark mark, double size)
 {
-    draw_handle(p, 4, mark, colours_.interior);
-    painter_.ring(at(p), 3.5 * scale_, 1.4 * scale_, colours_.handle);
+    draw_handle(p, 4 * size, mark, colours_.interior);
+    painter_.ring(at(p), 3.5 * size * scale_, 1.4 * size * scale_, colours_.handle);
 }
 
 void PlanePicture::draw_corner_handle(const Point2& p, HandleMark mark, Colour colour)

@@ -38,8 +38,8 @@ protected:
     void draw_constraint(const Point2& a, const Point2& b, Colour colour) { painter_.line(at(a), at(b), 2.2 * scale_, colour); }
     void draw_triangle_edge(const Point2& a, const Point2& b, Colour colour) { painter_.line(at(a), at(b), scale_, colour, 0.65); }
     void draw_handle(const Point2& p, double radius, HandleMark mark, Colour colour);
-    /// One of a point inside.
-    void draw_inner_handle(const Point2& p, HandleMark mark);
+    /// One of a point inside. `size`: 1 where there is room.
+    void draw_inner_handle(const Point2& p, HandleMark mark, double size = 1);
     void draw_corner_handle(const Point2& p, HandleMark mark, Colour colour);
     void draw_ring(const Point2& p) { painter_.ring(at(p), 8 * scale_, 2 * scale_, colours_.selected); }
     void draw_red_line(const Point2& a, const Point2& b) { painter_.line(at(a), at(b), 2.5 * scale_, colours_.error); }

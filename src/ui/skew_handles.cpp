@@ -96,8 +96,8 @@ double determinant(const CellMatrix& m) { return m[0] * cofactor(m, 0) + m[1] * 
 
 double stopped_skew(const CellMatrix& matrix, int entry, double wanted)
 {
-    constexpr double most = 100, thousand = 1000;
-    const double now = matrix[static_cast<std::size_t>(entry)], det = determinant(matrix), slope = cofactor(matrix, entry);
+    constexpr double thousand = 1000;
+    const double now = matrix[static_cast<std::size_t>(entry)], most = std::max(SkewHandles::farthest, std::abs(now)), det = determinant(matrix), slope = cofactor(matrix, entry);
     const double least = std::min(det, SkewHandles::least_determinant);
     const auto allowed = [&](double value) { return det + (value - now) * slope >= least - 1e-12; };
     double value = std::round(std::clamp(wanted, -most, most) * thousand) / thousand;

@@ -18,6 +18,8 @@ class SkewHandles {
 public:
     /// Handles do not go below this; cell.skew itself goes on to 1e-6.
     static constexpr double least_determinant = 0.05;
+    /// Nor farther from 0 than this, unless the entry is there already: numbers that are typed have no such end.
+    static constexpr double farthest = 10000;
 
     struct Handle {
         Point2 place{0.0}; // in pixels from the top left corner of the picture

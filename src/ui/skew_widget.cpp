@@ -102,8 +102,7 @@ void SkewWidget::typed(int entry)
     const std::string text = fields_[static_cast<std::size_t>(entry)]->value();
     if (text == entry_text(now)) return;
     try {
-        parse_number(text);
-        session_.run(fmt::format("cell.skew entry={} value={}", skew_entry_name(entry), text));
+        if (parse_number(text) != now) session_.run(fmt::format("cell.skew entry={} value={}", skew_entry_name(entry), text));
     } catch (const CommandError& e) {
         session_.say(Message::Kind::error, e.what());
         if (session_.on_change) session_.on_change();
@@ -143,14 +142,21 @@ void SkewWidget::drag()
     if (!step_) {
         if (glm::length(by) < layout().click_slop()) return;
         step_.emplace(session_);
+        sent_ = false;
     }
     const double value = stopped_skew(pressed_, *dragged_, pressed_handles_->dragged(*dragged_, by));
-    step_->send(fmt::format("cell.skew entry={} value={:.3f}", skew_entry_name(*dragged_), value));
+    if (!sent_ && value == pressed_[static_cast<std::size_t>(*dragged_)]) return; // it has not moved yet
+    sent_ = true;
+    step_->send(fmt::format("cell.skew entry={} value={}", skew_entry_name(*dragged_), value));
 }
 
 bool SkewWidget::cancel()
 {
-    if (!dragged_) return false;
+    if (!dragged_) {
+        const bool typing = std::ranges::any_of(fields_, [](const auto& field) { return Fl::focus() == field.get(); });
+        if (typing) show_numbers(); // or what was typed would be taken when the field loses the focus
+        return typing;
+    }
     dragged_.reset();
     if (step_) step_->cancel();
     step_.reset();

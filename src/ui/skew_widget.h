@@ -28,7 +28,7 @@ public:
         if (step_) step_->go_on();
     }
     bool is_dragging() const { return dragged_.has_value(); }
-    /// Escape. @return false if nothing is dragged
+    /// Escape: takes back what is dragged, or forgets what was typed into a field. @return false if there was neither
     bool cancel();
     /// What the pointer would do here; empty beside the handles.
     std::string hint() const;
@@ -61,6 +61,7 @@ private:
     CellMatrix pressed_{};  // the matrix then
     std::optional<SkewHandles> pressed_handles_;
     std::optional<LiveStep> step_;
+    bool sent_ = false; // something, for it
 };
 
 } // namespace druse::ui

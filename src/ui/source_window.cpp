@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
 #include <utility>
 
@@ -247,10 +248,11 @@ void SourceWindow::export_solids(const std::vector<SolidFile>& solids)
 
 void SourceWindow::hand_over()
 {
+    session_.wait(); // for an autosave, too
     try {
         event("handed over");
         if (on_export) on_export({"exported " + word_, {}, session_.folder(), session_.script()});
-    } catch (const CommandError& e) {
+    } catch (const std::exception& e) {
         session_.say(Message::Kind::error, e.what());
         refresh();
     }
@@ -258,7 +260,10 @@ void SourceWindow::hand_over()
 
 void SourceWindow::close()
 {
-    if (!test_ && !may_close()) return;
+    if (!test_) {
+        if (!may_close()) return;
+        if (session_.is_changed()) session_.start_over(); // it was discarded
+    }
     hide();
 }
 
@@ -271,6 +276,7 @@ int SourceWindow::handle(int event)
         escape();
         return 1; // else it would close the window
     }
+    if (event == FL_SHORTCUT && (is_dragging() || (Fl::event_buttons() && Fl::pushed()))) return 1; // what has hold of something ends first
     if (event == FL_SHORTCUT) {
         if (EditorWindow::handle(event)) return 1;
         if (Fl::event_key() != 'y' || !Fl::event_state(FL_CTRL)) return other_key(Fl::event_key()) ? 1 : 0;

@@ -53,6 +53,7 @@ void TileWindow::add_plane_actions(Actions& list)
                                             std::tuple("View/Top", '7', ViewAngles{0, 90})})
         list.push_back({path, key, [this, a = angles] { space_.look(a); }});
     list.push_back({"View/Parallel", '5', [this] { space_.set_parallel(!space_.camera().parallel()); }, [this] { return space_.camera().parallel(); }});
+    list.push_back({"View/Free orbit", 0, [this] { space_.set_free_orbit(!space_.is_free_orbit()); }, [this] { return space_.is_free_orbit(); }});
 }
 
 void TileWindow::make_bar()

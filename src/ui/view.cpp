@@ -8,6 +8,8 @@
 #include "ui/layout.h"
 
 #include <fmt/format.h>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -182,7 +184,7 @@ void View::show_pressed(const std::optional<Target>& target)
 
 void View::frame_all()
 {
-    camera_.fit(shown().bounds());
+    camera_.fit(shown().with_copies(shown().bounds()));
     framed_ = session_.display().lists.id();
     redraw();
 }
@@ -219,14 +221,36 @@ void View::set_camera(const Camera& camera)
 
 void View::look(ViewAngles angles, double seconds)
 {
-    if (animated_) {
-        // The short way round.
-        ViewAngles from = camera_.angles();
-        from.azimuth = angles.azimuth + std::remainder(from.azimuth - angles.azimuth, 360.0);
-        turn_ = Turn{from, angles, seconds};
-    } else {
-        camera_.set_angles(angles);
+    Turn turn{camera_, angles, Vector(0.0), 0, seconds};
+    if (free_orbit_ || camera_.angles().roll != 0 || angles.roll != 0) {
+        Camera goal = camera_;
+        goal.set_angles(angles);
+        const glm::dquat by = glm::quat_cast(glm::transpose(goal.rotation()) * camera_.rotation());
+        turn.axis = glm::axis(by);
+        turn.degrees = std::remainder(glm::degrees(glm::angle(by)), 360.0);
     }
+    start_turn(turn);
+}
+
+void View::look_from(const Vector& toward_eye, double seconds)
+{
+    Turn turn{camera_, {}, camera_.up(), 180, seconds}; // to the opposite side any axis would do
+    const Vector from = camera_.backward(), across = glm::cross(from, toward_eye);
+    constexpr double least_across = 1e-12; // of an axis that means anything
+    if (const double sine = glm::length(across), cosine = glm::dot(from, toward_eye); sine > least_across || cosine > 0) {
+        if (sine > least_across) turn.axis = across / sine;
+        turn.degrees = glm::degrees(std::atan2(sine, cosine));
+    }
+    Camera goal = camera_;
+    goal.turn(turn.axis, turn.degrees);
+    turn.to = goal.angles();
+    start_turn(turn);
+}
+
+void View::start_turn(const Turn& turn)
+{
+    if (animated_) turn_ = turn;
+    else camera_.set_angles(turn.to);
     redraw();
 }
 
@@ -235,11 +259,25 @@ bool View::animate(double now)
     if (!turn_) return false;
     if (turn_->start < 0) turn_->start = now;
     const double t = std::clamp((now - turn_->start) / turn_->seconds, 0.0, 1.0), s = t * t * (3 - 2 * t);
-    camera_.set_angles(t < 1 ? ViewAngles{std::lerp(turn_->from.azimuth, turn_->to.azimuth, s), std::lerp(turn_->from.elevation, turn_->to.elevation, s)}
-                             : turn_->to);
+    const ViewAngles from = turn_->from.angles(), to = turn_->to;
+    if (t >= 1) {
+        camera_.set_angles(to);
+    } else if (turn_->axis != Vector(0.0)) {
+        camera_.set_angles(from);
+        camera_.turn(turn_->axis, s * turn_->degrees);
+    } else { // the short way round
+        camera_.set_angles({from.azimuth + s * std::remainder(to.azimuth - from.azimuth, 360.0), std::lerp(from.elevation, to.elevation, s)});
+    }
     if (t >= 1) turn_.reset();
     redraw();
     return turn_.has_value();
+}
+
+void View::set_free_orbit(bool on)
+{
+    free_orbit_ = on;
+    if (const ViewAngles at = camera_.angles(); !on && at.roll != 0) look({at.azimuth, at.elevation});
+    redraw();
 }
 
 void View::set_parallel(bool on)
@@ -261,15 +299,15 @@ std::unique_ptr<Gesture> View::gesture_for(const Pointer& p)
     if (p.button == 2) {
         if (p.shift) return std::make_unique<PanGesture>(camera_, p);
         if (p.ctrl) return std::make_unique<ZoomGesture>(camera_, p);
-        return std::make_unique<OrbitGesture>(camera_, p);
+        return std::make_unique<OrbitGesture>(camera_, p, free_orbit_);
     }
     if (p.button == 3) return std::make_unique<PanGesture>(camera_, p);
-    if (p.button != 1 || p.alt) return std::make_unique<OrbitGesture>(camera_, p);
+    if (p.button != 1 || p.alt) return std::make_unique<OrbitGesture>(camera_, p, free_orbit_);
     if (box_next_) {
         boxing_ = true;
         return std::make_unique<BoxGesture>(element_, session_, camera_, tool(), p);
     }
-    if (!tool().under(p)) return std::make_unique<OrbitGesture>(camera_, p);
+    if (!tool().under(p)) return std::make_unique<OrbitGesture>(camera_, p, free_orbit_);
     clicking_ = true;
     return tool().press(p, press_shower());
 }

@@ -69,6 +69,11 @@ public:
     void frame_all();
     void frame_selection();
     void look(ViewAngles angles, double seconds = 0.2);
+    /// From where that direction (of length 1) points, by the smallest turn in space, which may leave z aslant.
+    void look_from(const Vector& toward_eye, double seconds);
+    /// Drags turn about axes of the picture; else z is upright, and comes upright again.
+    void set_free_orbit(bool on);
+    bool is_free_orbit() const { return free_orbit_; }
     /// Takes all but the size of the picture from another camera, at once.
     void set_camera(const Camera& camera);
     void frame(std::span<const Point> points);
@@ -103,12 +108,16 @@ public:
 
 private:
     struct Turn {
-        ViewAngles from, to;
+        Camera from;
+        ViewAngles to;
+        Vector axis{0.0}; // of the one turn that leads there, and its angle; no axis: azimuth and elevation go by themselves
+        double degrees = 0;
         double seconds = 0;
         double start = -1; // seconds; negative: at the next animate()
     };
 
     Tool& tool() const { return carried_ ? *carried_ : armed_ ? *armed_ : *select_; }
+    void start_turn(const Turn& turn);
     std::unique_ptr<Gesture> gesture_for(const Pointer& pointer);
     void show_hovered(const std::optional<Target>& target);
     void show_pressed(const std::optional<Target>& target);
@@ -141,7 +150,7 @@ private:
     std::optional<Pointer> pointer_;
     std::uint64_t framed_ = 0;        // the lists' id when the camera last framed them
 
-    bool animated_ = true;
+    bool animated_ = true, free_orbit_ = false;
     std::optional<Turn> turn_;
 };
 

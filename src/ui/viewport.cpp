@@ -72,7 +72,7 @@ void Viewport::draw()
     const DrawLists& lists = view_.shown();
     // A large mesh turns without its edges where the processor draws it.
     constexpr std::uint32_t many_triangles = 500000;
-    if (renderer_->is_software() && view_.is_moving_camera() && lists.triangle_count() > many_triangles) style.edges = false;
+    if (renderer_->is_software() && view_.is_moving_camera() && lists.triangle_count() * (1 + lists.copies().size()) > many_triangles) style.edges = false;
     renderer_->draw(lists, view_.camera(), style, view_.overlay(), samples_);
     renderer_->present();
     if (on_frame) on_frame(++frame_);

@@ -6,6 +6,7 @@
 
 #include "app/registry.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -106,15 +107,22 @@ TEST_F(CubePane, APointOfASideComesToAllSidesOfItsOrbit)
     EXPECT_EQ(last_step(), "cell.edge_add edge=0 t=0.75");
 }
 
-TEST_F(CubePane, PointsOfSidesAndCornersDoNotMove)
+TEST_F(CubePane, PointsOfSidesAndCornersDoNotMoveSoADragFromThemDrawsALine)
 {
     run("cell.edge_add edge=0 t=0.5");
     const std::size_t before = steps();
     for (const auto& [x, y, name] : {std::tuple(0.0, 1.0, "x0:1"), std::tuple(1.0, 1.0, "c0")}) {
-        drag(at(x, y), at(0.5, 0.5));
+        drag(at(x, y), at(0.5, 0.5)); // where no point is
         EXPECT_EQ(steps(), before);
-        EXPECT_TRUE(message().starts_with(std::string(name) + " stays where it is")) << message();
+        EXPECT_EQ(message(), std::string("a line ends at a point; ") + name + " stays where it is");
     }
+    drag(at(1, 1), at(0, -1));
+    EXPECT_EQ(last_step(), "cell.constrain pane=0 from=v0 to=e2:1");
+    run("cell.point_add pane=0 at=-0.5,0.25");
+    drag(at(0, 1), at(-0.5, 0.25));
+    EXPECT_EQ(last_step(), "cell.constrain pane=0 from=e0:1 to=i0");
+    drag(at(-0.5, 0.25), at(-0.5, -0.25)); // one inside moves
+    EXPECT_TRUE(last_step().starts_with("cell.point_move point=p0:i0")) << last_step();
 }
 
 TEST_F(CubePane, ALineIsDrawnFromPointToPointAndDeletedUnderThePointer)
@@ -135,6 +143,20 @@ TEST_F(CubePane, ALineIsDrawnFromPointToPointAndDeletedUnderThePointer)
     session.wait();
     EXPECT_EQ(last_step(), "cell.unconstrain pane=0 from=i0 to=v0");
     EXPECT_TRUE(view.shown_pane().lines.empty());
+}
+
+TEST_F(CubePane, ALineThatWasAskedForBeginsAtAPointOrNotAtAll)
+{
+    click(at(0.5, 0.25));
+    const std::size_t before = steps();
+    view.start_constraint();
+    click(at(-0.3, -0.3)); // adds none
+    EXPECT_EQ(steps(), before);
+    EXPECT_EQ(message(), "a line begins at a point");
+    Pointer beside = at(0.5, 0.25);
+    beside.x += 11; // farther than a click reaches
+    drag(beside, at(1, 1));
+    EXPECT_EQ(last_step(), "cell.constrain pane=0 from=i0 to=v0");
 }
 
 TEST_F(CubePane, ALineThatCrossesOthersIsDeletedWhole)
@@ -182,7 +204,7 @@ TEST_F(CubePane, WhatIsRefusedChangesNothingAndShowsInRed)
     EXPECT_FALSE(view.refused_line());
 }
 
-TEST_F(CubePane, DeleteTakesWhatIsSelectedFromTheLastToTheFirst)
+TEST_F(CubePane, DeleteTakesAllThatIsSelectedInOneStep)
 {
     for (const char* command : {"cell.point_add pane=0 at=0.5,0.5", "cell.point_add pane=0 at=-0.5,0.5", "cell.point_add pane=0 at=0,-0.5", "cell.edge_add edge=0 t=0.5"})
         run(command);
@@ -191,8 +213,10 @@ TEST_F(CubePane, DeleteTakesWhatIsSelectedFromTheLastToTheFirst)
     view.start_box();
     drag(at(-1.1, 0.2), at(1.1, 1.1)); // with two corners
     EXPECT_EQ(view.selected(), (std::set<std::string>{"p0:i0", "p0:i1", "x0:1", "c0"}));
+    const std::size_t before = steps();
     view.remove();
     session.wait();
+    EXPECT_EQ(steps(), before + 1) << "of one gesture";
     EXPECT_EQ(inside(), std::vector<Point2>({{0, -0.5}}));
     EXPECT_TRUE(view.cell()->edge_points(0).empty());
     EXPECT_TRUE(view.selected().empty());
@@ -253,6 +277,73 @@ TEST_F(CubePane, NewPlacesAreThoseOfTheGridWhereThatIsAskedFor)
     EXPECT_NEAR(view.cell()->edge_points(1).at(0), 0.5 * (1 + 2 * grid), 1e-12);
 }
 
+TEST_F(CubePane, APointOfASlantingSideStaysBesideThePointerOnTheGridToo)
+{
+    run("cell.new cell=fcc size=4");
+    view.show_pane(0);
+    view.set_shown({.snap = true});
+    const ShownPane pane = view.shown_pane();
+    const double grid = view.grid();
+    for (std::size_t k = 0; k < pane.outline.size(); ++k) {
+        const Point2 from = pane.outline[k], to = pane.outline[(k + 1) % pane.outline.size()];
+        for (const double t : {0.13, 0.5, 0.91}) {
+            const Point2 pointer = from + t * (to - from);
+            click(at(pointer.x, pointer.y));
+            ASSERT_TRUE(last_step().starts_with("cell.edge_add")) << last_step();
+            double nearest = 1e9;
+            for (const PanePoint& p : view.shown_pane().points)
+                if (p.kind == PanePoint::Kind::edge) nearest = std::min(nearest, glm::distance(p.at, pointer));
+            EXPECT_LE(nearest, 0.51 * grid) << "side " << k << " at " << t;
+            run("document.undo");
+        }
+    }
+}
+
+TEST_F(CubePane, APointOfASideComesBetweenThoseBesideThePointer)
+{
+    view.set_shown({.snap = true});
+    const double grid = view.grid(); // its lines are at -1 and 0 of that, along the side
+    run(fmt::format("cell.edge_add edge=0 t={}", 0.5 * (1 + 0.05 * grid)));
+    run(fmt::format("cell.edge_add edge=0 t={}", 0.5 * (1 + 0.95 * grid)));
+    click(at(-0.3 * grid, 1)); // between both, where the grid has nothing
+    const std::vector<double>& t = view.cell()->edge_points(0);
+    ASSERT_EQ(t.size(), 3u);
+    EXPECT_NEAR(t[1], 0.5 * (1 + 0.3 * grid), 1.0 / 200);
+}
+
+TEST_F(CubePane, WhatIsSelectedStaysItselfWhereOthersGoAndComeBack)
+{
+    for (const char* place : {"0.5,0.5", "-0.5,0.5", "0,-0.5"}) run(std::string("cell.point_add pane=0 at=") + place);
+    run("cell.edge_add edge=0 t=0.5");
+    using Names = std::set<std::string>;
+    view.select({"p0:i1", "p0:i2", "x0:1"});
+    run("cell.point_remove point=p0:i0");
+    EXPECT_EQ(view.selected(), (Names{"p0:i0", "p0:i1", "x0:1"}));
+    run("cell.edge_add edge=0 t=0.25"); // comes before the other
+    EXPECT_EQ(view.selected(), (Names{"p0:i0", "p0:i1", "x0:2"}));
+    run("cell.point_move point=p0:i1 to=0.1,-0.6"); // is the same elsewhere
+    EXPECT_EQ(view.selected(), (Names{"p0:i0", "p0:i1", "x0:2"}));
+    session.go_to(5); // at once
+    session.wait();
+    EXPECT_TRUE(view.selected().contains("p0:i1"));
+    EXPECT_TRUE(view.selected().contains("x0:1"));
+    run("cell.point_remove point=p0:i1"); // is one of them
+    EXPECT_FALSE(view.selected().contains("p0:i1"));
+    run("cell.new cell=cube size=4");
+    EXPECT_TRUE(view.selected().empty());
+}
+
+TEST_F(CubePane, AllOfAPaneIsSelected)
+{
+    run("cell.point_add pane=0 at=0.5,0.5");
+    run("cell.edge_add edge=0 t=0.5");
+    view.select_all();
+    EXPECT_EQ(view.selected(), (std::set<std::string>{"c0", "p0:i0", "x0:1"}));
+    EXPECT_TRUE(view.cancel());
+    EXPECT_TRUE(view.selected().empty());
+    EXPECT_FALSE(view.cancel());
+}
+
 TEST_F(CubePane, ShowsNoPaneOfAnotherKindOfCell)
 {
     run("cell.new cell=cube size=4");
@@ -301,6 +392,24 @@ TEST_F(CubePane, IsDrawnInColourWhileItIsFlatAndGreyAfterwards)
     EXPECT_EQ(colour(0.5 + beside, 0.25), plane_colours(true).selected);
     run("cell.shape");
     EXPECT_EQ(colour(0.3, 0.2), plane_colours(true).neighbours[0]);
+}
+
+TEST_F(CubePane, HandlesOfPointsThatAreNearOthersAreSmall)
+{
+    view.set_shown({.triangles = false, .grid = false});
+    Image image(400, 400);
+    const auto ground = [&] { // pixels of it
+        draw_pane(view, true, 1, image);
+        const Colour tile = plane_colours(true).tile;
+        return std::ranges::count_if(image.pixels, [&](const Pixel& p) { return Colour{p.red, p.green, p.blue} == tile; });
+    };
+    const auto empty = ground();
+    run("cell.point_add pane=0 at=0,0");
+    const auto one = empty - ground();
+    EXPECT_GT(one, 60) << "a disc of radius 5";
+    for (int i = 0; i < 20; ++i)
+        for (int k = 0; k < 20; ++k) session.run(fmt::format("cell.point_add pane=0 at={},{}", -0.85 + 0.085 * i + 0.01 * (k % 2), -0.85 + 0.085 * k)), session.wait();
+    EXPECT_LT(empty - ground(), 0.3 * double(empty)) << "400 points leave most of the pane to be seen";
 }
 
 TEST(OrbitColours, TellTheOrbitsOfEveryCellApart)

@@ -1015,6 +1015,93 @@ def cells(druse, folder, pictures):
     check((folder / "again.stl").read_bytes() == (folder / "window.stl").read_bytes(), "the recording makes another cell")
 
 
+def cell_views(druse, folder, pictures):
+    """A cell from a file: what Escape, boxes and right clicks mean, the two views, and what is asked before a pane is flat again."""
+    commands = ["cell.new cell=cube size=20", *(f"cell.point_add pane={pane} at=0,0" for pane in range(3)), "cell.shape"]
+    window = Window(druse, folder, pictures, [make_tile(druse, folder, "start.tile", *commands)])
+    window.wait_anywhere("cell: frame")
+    editor = CellEditor(window)
+    pane, side = editor.open_pane(CELL_NEAR)
+    check((pane, side) == editor.open_pane(CELL_FAR), "a pane that is clicked in the opposite view stays there, and this one where it is")
+    everything = "c0,p0:i0,p1:i0,p2:i0"
+    window.keys("a")
+    window.wait(f"cell: selected {everything} at ")
+    window.picture("1-all")
+    window.keys("Escape")
+    window.wait("cell: selected nothing")
+
+    window.press(CELL_NEAR)
+    window.move((CELL_NEAR[0] + 20, CELL_NEAR[1]))
+    window.wait("cell: applied cell.move")
+    window.keys("ctrl+z", "F2")  # wait for the end of the drag
+    window.release()
+    window.quiet("cell: applied")
+    window.keys("ctrl+z")
+    window.wait("cell: applied document.undo")
+    window.keys("Escape")
+    window.wait("cell: selected nothing")
+
+    window.move(CELL_FAR)
+    window.keys("b")
+    editor.drag((CELL_NEAR[0] - 180, CELL_NEAR[1] - 210), (4, 8), 4)  # the box is for the other view
+    window.quiet("cell: selected")
+    editor.drag((CELL_FAR[0] - 180, CELL_FAR[1] - 210), (360, 420))
+    window.wait("cell: selected c0,")
+    window.keys("Escape")
+    window.wait("cell: selected nothing")
+
+    editor.open_pane(CELL_NEAR)  # both turn back
+    window.keys("d")
+    window.wait("cell: frame")
+    window.click(CELL_NEAR)
+    picked = window.wait(f"cell: selected p{pane}:i0 at ")
+    check(abs(editor.seen(picked, "opposite")[0] - CELL_NEAR[0]) <= 3, f"the opposite view should be on the left: {picked}")
+    window.keys("d", "shift+d")
+    window.wait("cell: frame")
+    single = ((CELL_NEAR[0] + CELL_FAR[0]) // 2, CELL_NEAR[1])
+    window.picture("2-single")
+    window.click(single)
+    picked = window.wait(f"cell: selected p{pane}:i0 at ")
+    check(abs(editor.seen(picked, "seen")[0] - single[0]) <= 3, f"the one view should take all the room: {picked}")
+    window.keys("shift+d", "Escape", "l")
+    window.wait("cell: selected nothing")
+    editor.drag((CELL_NEAR[0] - 180, CELL_NEAR[1] - 210), (60, 40))  # turns that view alone
+    window.click(CELL_FAR)
+    picked = window.wait(f"cell: selected p{pane}:i0 at ")
+    check(abs(editor.seen(picked, "opposite")[0] - CELL_FAR[0]) <= 3, f"the opposite view should be as it was: {picked}")
+    window.picture("3-apart")
+
+    window.keys("l", "1", "F6")  # upright again
+    window.wait("cell: frame")
+    window.click((CELL_NEAR[0] + 40, CELL_NEAR[1] + 40))  # on the way from the point to a corner
+    window.wait("cell: applied cell.flip")
+    window.keys("F4")
+    pane, side = editor.open_pane(CELL_NEAR)
+    window.keys("F2")
+    time.sleep(0.7)
+    window.picture("4-question")
+    window.keys("Escape")
+    window.quiet("cell: applied")
+    window.keys("F2")
+    time.sleep(0.7)
+    window.keys("Return")
+    window.wait(f"cell: run cell.rollback pane={pane}")
+    window.wait("cell: applied cell.rollback")
+    window.keys("ctrl+z", "ctrl+z")  # nothing is unsaved
+    window.wait("cell: applied document.undo")
+    window.wait("cell: applied document.undo")
+
+    (folder / "solid.druse").write_text("\n".join(commands + ["cell.solid"]) + "\n")
+    window.keys("ctrl+o")
+    window.answer_file_dialog("Open", folder / "solid.druse")
+    window.wait("cell: opened")
+    window.wait("cell: frame")
+    window.click(CELL_NEAR, 3)
+    window.wait("cell: shows the cell")
+    editor.open_pane(CELL_NEAR)
+    window.close()
+
+
 def select_again(window, place):
     """Where a point is seen in space that is clicked in the plane."""
     window.click(place)
@@ -1077,7 +1164,7 @@ def main():
     scenario, druse, models, pictures = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4]) / sys.argv[1]
     shutil.rmtree(pictures, ignore_errors=True)
     pictures.mkdir(parents=True)
-    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, rinds, sculptures, tiles, tile_edits, tile_replay, cells, replay, sizes)}
+    known = {f.__name__: f for f in (click_and_export, cancel, dialogs, solids, groups, rinds, sculptures, tiles, tile_edits, tile_replay, cells, cell_views, replay, sizes)}
     with tempfile.TemporaryDirectory() as folder:
         try:
             folder = pathlib.Path(folder).resolve()

@@ -1,3 +1,4 @@
+#include "ui/live_step.h"
 #include "ui/session.h"
 
 #include "app/registry.h"
@@ -68,6 +69,24 @@ TEST_F(CubeSession, ShowsAGraphAsLinesAndStrutsThatFollowASlider)
     run("document.undo");
     EXPECT_EQ(session.display().lists.edge_limit(), 16u);
     EXPECT_EQ(session.display().lists.triangle_count(), 0u);
+}
+
+TEST_F(CubeSession, AStepThatIsDraggedTakesThePlaceOfNoneThatWasBegunBefore)
+{
+    session.run("remesh.catmull_clark iterations=6"); // longer than anybody waits for
+    LiveStep step(session);
+    session.on_change = [&] { step.go_on(); };
+    step.send("extrude.cubical faces=0 heights=0.1");
+    session.wait();
+    session.wait();
+    step.send("extrude.cubical faces=0 heights=0.2");
+    session.wait();
+    ASSERT_EQ(steps().size(), 3u);
+    EXPECT_TRUE(steps()[1].starts_with("remesh.catmull_clark")) << steps()[1];
+    step.cancel();
+    session.wait();
+    EXPECT_EQ(session.display().done, 2u);
+    session.on_change = nullptr;
 }
 
 TEST_F(CubeSession, AnErrorIsSaidAndChangesNothing)

@@ -83,6 +83,8 @@ TEST(SkewHandles, StopBeforeTheCellIsFlat)
     EXPECT_DOUBLE_EQ(stopped_skew(no_skew, 1, 0.75), 0.75); // shear keeps it
     const CellMatrix sheared{1, 0.5, 0, 0, 1, 0, 0, 0, 1};
     EXPECT_DOUBLE_EQ(stopped_skew(sheared, 3, 5), 1.9); // 1 − x/2 = 0.05
+    EXPECT_DOUBLE_EQ(stopped_skew({150, 0, 0, 0, 1, 0, 0, 0, 1}, 0, 150.25), 150.25); // one that was typed goes on from where it is
+    EXPECT_DOUBLE_EQ(stopped_skew({30000, 0, 0, 0, 1, 0, 0, 0, 1}, 0, 30001), 30000);
     // One that is flatter already may only grow.
     const CellMatrix flat{0.01, 0, 0, 0, 1, 0, 0, 0, 1};
     EXPECT_DOUBLE_EQ(stopped_skew(flat, 0, 0.005), 0.01);

@@ -180,6 +180,45 @@ TEST_F(CubeView, AnAnimatedViewArrivesExactly)
     EXPECT_EQ(view.camera().angles(), (ViewAngles{-90, 10}));
 }
 
+TEST_F(CubeView, AFreeOrbitGoesOverThePolesAndLevelsWhenItEnds)
+{
+    const auto drag_down = [this](double pixels) {
+        view.press(at(200, 200, 2));
+        view.drag(at(200, 200 + pixels, 2));
+        view.release(at(200, 200 + pixels, 2));
+    };
+    view.look({0, 0});
+    drag_down(1000); // 350 degrees
+    EXPECT_EQ(view.camera().angles(), (ViewAngles{0, 90}));
+    view.look({0, 0});
+    view.set_free_orbit(true);
+    drag_down(400); // 140 degrees: upside down behind it
+    EXPECT_LE(glm::distance(view.camera().up(), Vector(0, std::sin(140 * 3.14159265358979 / 180), std::cos(140 * 3.14159265358979 / 180))), 1e-9);
+    view.set_free_orbit(false);
+    EXPECT_EQ(view.camera().angles().roll, 0);
+    EXPECT_GT(view.camera().up().z, 0);
+}
+
+TEST_F(CubeView, ATurnOutOfTheLevelIsTheSmallest)
+{
+    view.look({20, 30, 40});
+    const Vector from = view.camera().backward(), to = glm::normalize(Vector(1, -2, -3));
+    const Vector axis = glm::normalize(glm::cross(from, to));
+    view.set_animated(true);
+    view.look_from(to, 1);
+    EXPECT_TRUE(view.animate(5.0));
+    EXPECT_TRUE(view.animate(5.5)); // half way
+    EXPECT_LE(glm::distance(view.camera().backward(), glm::normalize(from + to)), 1e-9);
+    EXPECT_FALSE(view.animate(6.0));
+    EXPECT_LE(glm::distance(view.camera().backward(), to), 1e-9);
+    view.look({20, 30, 40}, 1); // and back about the same axis
+    EXPECT_TRUE(view.animate(7.0));
+    EXPECT_TRUE(view.animate(7.3));
+    EXPECT_NEAR(glm::dot(view.camera().backward(), axis), 0, 1e-9);
+    EXPECT_FALSE(view.animate(8.0));
+    EXPECT_EQ(view.camera().angles(), (ViewAngles{20, 30, 40}));
+}
+
 TEST_F(CubeView, TheStartCornerToolNamesTheNearestCorner)
 {
     arm("face.start");
