@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -87,9 +88,11 @@ public:
     /// The point made, or the one that is there within snap(); beside a side, a point of its edge orbit.
     CellPointName add_point(int pane, const Point2& at);
     void move_point(const CellPointName& point, const Point2& to);
-    void remove_point(const CellPointName& point);
+    /// Points inside panes, and of edges, in one step. Where lines cross there is a point however often it is removed; a note says so.
+    /// Cost: each pane and edge orbit once, however many of its points go.
+    void remove_points(std::span<const CellPointName> points);
     CellPointName add_edge_point(int edge, double t);
-    void remove_edge_point(const CellPointName& point);
+    void remove_edge_points(std::span<const CellPointName> points); // as remove_points, of edges only
     void constrain(int pane, std::span<const CellPointName> path);
     void unconstrain(int pane, std::span<const CellPointName> path);
     Pane::Refined refine(int pane, const Pane::Refinement& refinement, Progress* progress = nullptr);
@@ -152,6 +155,7 @@ private:
     }
     template <class F>
     CellPointName change_pane(int pane, F&& change);
+    void remove_inside(int pane, const std::set<Index>& numbers);
 
     const PanePart& at(int pane) const { return *panes_[static_cast<std::size_t>(pane)]; }
     const CellPane& at_pane(int pane) const { return cell_->panes[static_cast<std::size_t>(pane)]; }
@@ -165,7 +169,7 @@ private:
     Index corner_number(int pane, int corner) const;
     Index side_number(int pane, int side, int index) const;
     int side_of(int pane, Index a, Index b) const; // on which both lie, or −1
-    int interior_number(const CellPointName& point) const;
+    Index interior_number(const CellPointName& point) const;
     void take_pane(int pane, const Pane& made);
     void require_no_slivers(int pane, const PaneMesh& mesh) const;
     void fill_fresh(int pane);

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace druse {
 
@@ -166,30 +168,68 @@ CellPointName CellTile::add_point(int p, const Point2& at)
 }
 
 /// The number of a point inside a pane that is flat.
-int CellTile::interior_number(const CellPointName& point) const
+CellTile::Index CellTile::interior_number(const CellPointName& point) const
 {
     const CellPointName its = name(find(point));
     if (its.kind != CellPointName::Kind::interior)
         throw CellRefusal(Reason::fixed, fmt::format("{} is on the edge of panes: it stays where it is", point.text()));
     require_flat(its.pane, "edits of its points in the plane");
-    return static_cast<int>(rim_count(its.pane)) + its.index;
+    return rim_count(its.pane) + static_cast<Index>(its.index);
 }
 
 void CellTile::move_point(const CellPointName& point, const Point2& to)
 {
-    const int i = interior_number(point);
-    change_pane(point.pane, [&](Pane& pane) { return pane.move(pane_id(static_cast<Index>(i)), to); });
+    const Index i = interior_number(point);
+    change_pane(point.pane, [&](Pane& pane) { return pane.move(pane_id(i), to); });
 }
 
-void CellTile::remove_point(const CellPointName& point)
+/// Points inside a pane, by their numbers.
+void CellTile::remove_inside(int p, const std::set<Index>& numbers)
 {
-    const int i = interior_number(point);
-    const std::size_t before = interior(point.pane).size();
-    change_pane(point.pane, [&](Pane& pane) {
-        pane.remove(pane_id(static_cast<Index>(i)));
+    const std::size_t before = interior(p).size();
+    const std::string first = pane_name(p, *numbers.begin()).text();
+    std::vector<std::string> notes;
+    change_pane(p, [&](Pane& pane) {
+        for (const Index i : numbers) {
+            for (const std::string& note : pane.report().notes) notes.push_back(named(p, "note: " + note));
+            pane.remove(pane_id(i));
+        }
         return pane_id(0);
     });
-    if (interior(point.pane).size() == before) notes_.push_back(fmt::format("{} stays: lines cross there", point.text()));
+    notes_.insert(notes_.begin(), notes.begin(), notes.end());
+    const std::size_t stay = interior(p).size() + numbers.size() - before;
+    if (stay > 0 && numbers.size() == 1) notes_.push_back(fmt::format("{} stays: lines cross there", first));
+    else if (stay > 0) notes_.push_back(fmt::format("pane {}: {} point{} where lines cross", p, stay, stay == 1 ? " stays" : "s stay"));
+}
+
+void CellTile::remove_points(std::span<const CellPointName> points)
+{
+    std::map<int, std::set<Index>> inside; // by pane
+    std::map<int, std::set<int>> of_edges; // by orbit of edges, their places in its list
+    for (const CellPointName& point : points) {
+        const CellPointName its = name(find(point));
+        if (its.kind != CellPointName::Kind::edge) {
+            inside[its.pane].insert(interior_number(point));
+            continue;
+        }
+        if (phase_ != 1) throw CellRefusal(Reason::phase, "points of edges go before cell.shape");
+        of_edges[its.line].insert(its.index);
+    }
+    CellTile next = *this;
+    std::vector<std::string> notes;
+    const auto gather = [&] { notes.insert(notes.end(), next.notes_.begin(), next.notes_.end()); };
+    for (const auto& [pane, numbers] : inside) {
+        next.remove_inside(pane, numbers);
+        gather();
+    }
+    for (const auto& [edge, places] : of_edges) {
+        std::vector<double> list = next.edge_points(edge);
+        for (auto place = places.rbegin(); place != places.rend(); ++place) list.erase(list.begin() + *place);
+        next.set_edge_points(edge, std::move(list));
+        gather();
+    }
+    next.notes_ = std::move(notes);
+    *this = std::move(next);
 }
 
 /// The points that a line runs along, in the triangulation of its pane.
@@ -264,14 +304,11 @@ CellPointName CellTile::add_edge_point(int edge, double t)
     return CellPointName::edge(edge, place);
 }
 
-void CellTile::remove_edge_point(const CellPointName& point)
+void CellTile::remove_edge_points(std::span<const CellPointName> points)
 {
-    const CellPointName its = name(find(point));
-    if (its.kind != CellPointName::Kind::edge) throw CellRefusal(Reason::no_such_point, fmt::format("{} is no point of an edge, as x0:1", point.text()));
-    if (phase_ != 1) throw CellRefusal(Reason::phase, "points of edges go before cell.shape");
-    std::vector<double> list = edge_points(its.line);
-    list.erase(list.begin() + its.index);
-    set_edge_points(its.line, std::move(list));
+    for (const CellPointName& point : points)
+        if (name(find(point)).kind != CellPointName::Kind::edge) throw CellRefusal(Reason::no_such_point, fmt::format("{} is no point of an edge, as x0:1", point.text()));
+    remove_points(points);
 }
 
 void CellTile::set_edge_points(int edge, std::vector<double> t)

@@ -4,7 +4,6 @@
 #include "ops/pane.h"
 
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace druse {
@@ -47,24 +46,6 @@ struct CellRefine {
     double min_angle = 20;
     std::optional<double> max_area;
 };
-
-/// From the last to the first, so that the names of those before stay what they are.
-void run_cell_point_remove(Scene& scene, const CellPointRemove& p, Context& context)
-{
-    const std::set<CellPointName> points(p.point.points.begin(), p.point.points.end());
-    edit_cell(scene, context, [&](CellTile& cell) {
-        for (auto point = points.rbegin(); point != points.rend(); ++point)
-            point->kind == CellPointName::Kind::edge ? cell.remove_edge_point(*point) : cell.remove_point(*point);
-    });
-}
-
-void run_cell_edge_remove(Scene& scene, const CellPointRemove& p, Context& context)
-{
-    const std::set<CellPointName> points(p.point.points.begin(), p.point.points.end());
-    edit_cell(scene, context, [&](CellTile& cell) {
-        for (auto point = points.rbegin(); point != points.rend(); ++point) cell.remove_edge_point(*point);
-    });
-}
 
 void run_cell_refine(Scene& scene, const CellRefine& p, Context& context)
 {
@@ -124,7 +105,7 @@ Operator cell_point_remove_operator()
         .keeps_euler()
         .example("cell.point_remove point=p1:i0")
         .cites("Howison & Séquin 2009, section 3.1")
-        .run(run_cell_point_remove);
+        .run([](Scene& scene, const P& p, Context& context) { edit_cell(scene, context, [&](CellTile& cell) { cell.remove_points(p.point.points); }); });
 }
 
 Operator cell_edge_add_operator()
@@ -148,7 +129,7 @@ Operator cell_edge_remove_operator()
         .keeps_euler()
         .example("cell.edge_remove point=x1:1")
         .cites("Howison & Séquin 2009, section 3.1")
-        .run(run_cell_edge_remove);
+        .run([](Scene& scene, const P& p, Context& context) { edit_cell(scene, context, [&](CellTile& cell) { cell.remove_edge_points(p.point.points); }); });
 }
 
 Operator cell_constrain_operator()

@@ -59,7 +59,7 @@ public:
     static constexpr std::uint32_t pick_bits = 6;  // triangles per box: 64
 
     using Triangle = std::array<std::uint32_t, 3>; // draw vertices, counter-clockwise; all equal: no triangle
-    /// Everything once more: `scale` times as large, then elsewhere, in one colour; with faces only, if there are any.
+    /// Everything once more: `scale` times as large, then elsewhere. Faces are in one colour and have no edges drawn; lines are drawn where there are no faces.
     struct Copy {
         double scale = 1; // above 0
         Vector shift{0.0};

@@ -213,7 +213,6 @@ void Renderer::Parts::draw_base(const DrawLists& lists, const Camera& camera, co
     }
 }
 
-
 void Renderer::Parts::draw_background(const Style& style)
 {
     const std::array<float, 3> top = floats(style.background_top), bottom = floats(style.background_bottom);

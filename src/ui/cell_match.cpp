@@ -50,7 +50,7 @@ std::vector<std::array<double, 4>> splits_of(const CellTile& cell)
 
 CellMatch::CellMatch(const CellTile& before, const CellTile& after)
 {
-    is_another_ = before.cell().kind != after.cell().kind || before.size() != after.size();
+    is_another_ = before.cell().kind != after.cell().kind || before.cell().volume() != after.cell().volume();
     keeps_names_ = !is_another_;
     if (is_another_) return;
     for (int pane = 0; pane < before.pane_count(); ++pane) inner_.push_back(matched(before.interior(pane), after.interior(pane)));
@@ -71,7 +71,7 @@ std::optional<CellPointName> CellMatch::now(const CellPointName& name) const
     default: break;
     }
     CellPointName now = name;
-    if (numbers && *numbers) now.index = (**numbers)[static_cast<std::size_t>(name.index)];
+    if (numbers && *numbers) now.index = name.index < std::ssize(**numbers) ? (**numbers)[static_cast<std::size_t>(name.index)] : -1;
     return now.index >= 0 ? std::optional(now) : std::nullopt;
 }
 

@@ -10,7 +10,7 @@ namespace druse::ui {
 /// Which points of a cell are which after an edit, or steps of undo: names do not tell, because those behind one that goes or comes take other numbers.
 ///
 /// Corners are told by their numbers. Others are the same where they lie, flat, in the same place of the same pane, edge orbit or split; and where all but one of
-/// as many do, that one was moved. Of a cell of another kind or size nothing is the same.
+/// as many do, that one was moved. Of a cell of another kind, size or height nothing is the same.
 /// Cost: linear in the points where none came or went, else n log n.
 class CellMatch {
 public:
@@ -18,7 +18,7 @@ public:
 
     /// All points are called as they were.
     bool keeps_names() const { return keeps_names_; }
-    /// What a point is called now; nothing if it is gone. Precondition: `name` is that of an orbit of the cell before
+    /// What a point is called now; nothing if it is gone, or was none of the cell before.
     std::optional<CellPointName> now(const CellPointName& name) const;
 
 private:

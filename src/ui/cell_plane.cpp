@@ -29,10 +29,13 @@ void CellPlane::session_changed()
         const CellTile* held = std::get_if<CellTile>(&*scene->source);
         const bool is_same_kind = held && cell_ && held->cell().kind == cell_->cell().kind, has_other_size = held && cell_ && held->cell().volume() != cell_->cell().volume();
         if (!selected_.empty()) follow_selected(is_same_kind ? held : nullptr);
+        const auto grabbed = has_point_pressed() && is_same_kind ? CellMatch(*cell_, *held).now(CellPointName::parse(grabbed_point_.name)) : std::nullopt;
         cell_ = held ? std::optional(*held) : std::nullopt;
         shown_pane_ = is_same_kind && shown_pane_.pane >= 0 ? ui::shown_pane(*cell_, shown_pane_.pane) : ShownPane();
         hovered_.reset();
         if (shown_pane_.pane < 0 || !shown_pane_.is_flat) take_back();
+        else if (has_point_pressed()) grab_again(grabbed ? grabbed->text() : std::string());
+        else if (gesture_ == Gesture::click) grabbed_ = hit(pressed_);
         if (has_other_size) frame();
         if (pointer_ && gesture_ == Gesture::none && shown_pane_.pane >= 0) hovered_ = hit(*pointer_);
     }
@@ -54,6 +57,26 @@ void CellPlane::follow_selected(const CellTile* now)
     for (const std::string& text : selected_)
         if (const auto name = match.now(CellPointName::parse(text))) names.insert(name->text());
     selected_ = std::move(names);
+}
+
+/// A point was pressed, and nothing came of it yet: something else may have been done to the cell since.
+bool CellPlane::has_point_pressed() const
+{
+    if (grabbed_.point < 0) return false;
+    return gesture_ == Gesture::click || gesture_ == Gesture::constrain || (gesture_ == Gesture::edit && step_ && !step_->is_made());
+}
+
+/// The point that is pressed, by what it is called now; it may be gone.
+void CellPlane::grab_again(const std::string& name)
+{
+    const auto found = std::ranges::find(shown_pane_.points, name, &PanePoint::name);
+    if (found == shown_pane_.points.end()) {
+        take_back();
+        return;
+    }
+    grabbed_.point = static_cast<int>(found - shown_pane_.points.begin());
+    grabbed_point_ = *found;
+    if (gesture_ == Gesture::edit && step_->is_waiting()) drag_to(last_);
 }
 
 void CellPlane::show_pane(int pane)
@@ -302,14 +325,15 @@ void CellPlane::remove()
     if ((names.empty() && !is_line) || !may_edit()) return;
     if (is_line) return remove_chain(shown_pane_.lines[std::size_t(hovered_->line)].chain);
     std::vector<std::string> points;
-    bool inside = false;
+    bool inside = false, of_edges = false;
     for (const std::string& text : names) {
         const CellPointName::Kind kind = CellPointName::parse(text).kind;
         inside = inside || kind == CellPointName::Kind::interior;
-        if (kind == CellPointName::Kind::interior || kind == CellPointName::Kind::edge) points.push_back(text);
+        of_edges = of_edges || kind == CellPointName::Kind::edge;
+        if (kind == CellPointName::Kind::interior || (kind == CellPointName::Kind::edge && shown_pane_.may_edit_sides)) points.push_back(text);
     }
-    if (points.empty()) return note("corners stay");
-    select({});
+    if (points.empty()) return note(of_edges ? "points of edges come and go only while all panes are flat" : "corners stay");
+    select({points.begin(), points.end()}); // they go when the command has run
     session_.run(fmt::format("cell.{}_remove point={}", inside ? "point" : "edge", fmt::join(points, ",")));
 }
 

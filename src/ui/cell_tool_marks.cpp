@@ -113,7 +113,7 @@ void CellTool::add_points(Overlay& overlay) const
     for (int orbit = 0; orbit < cell.point_count(); ++orbit)
         if (marked[static_cast<std::size_t>(orbit)]) marked_places += cell.members(orbit).size();
     const std::vector<bool> facing = picture_.facing(camera_);
-    const auto may_look = [&](std::size_t places) { return places * picture_.lists().pick_boxes().size() < most_cell_looks; };
+    const auto may_look = [&](std::size_t places) { return places * picture_.lists().pick_boxes().size() * (1 + picture_.lists().copies().size()) < most_cell_looks; };
     const bool looks = may_look(count), looks_at_marked = may_look(marked_places);
     const std::vector<double> spacing = count <= most_cell_dots || marked_places > 0 ? this->spacing() : std::vector<double>();
     // What is behind comes first, so that nothing before it is covered by it.

@@ -347,7 +347,7 @@ void CellWindow::pass_selection()
     if (!op || op->family() != "cell") return;
     session_.let_go(); // the step that was made stays what it is
     if (op->name == "cell.move") session_.set("points", selection_.text());
-    else if (op->name != "cell.move" && op->find("pane") && plane_.pane() >= 0) session_.set("pane", std::to_string(plane_.pane()));
+    else if (op->find("pane") && plane_.pane() >= 0) session_.set("pane", std::to_string(plane_.pane()));
 }
 
 void CellWindow::choose(const Operator& op)
@@ -484,6 +484,12 @@ bool CellWindow::cancel_gesture()
         canvas_.take_focus();
         return true;
     }
+    const bool is_gesturing = near_.is_gesturing() || far_.is_gesturing() || plane_.is_gesturing();
+    if (!is_gesturing && (plane_.is_box_next() || near_.is_box_next() || far_.is_box_next())) {
+        forget_boxes(); // the next drag is none, in whichever part
+        update_hint();
+        return true;
+    }
     if (near_.cancel() || far_.cancel() || plane_.cancel()) return true;
     if (selection_.empty()) return false;
     selection_.clear();
@@ -497,7 +503,8 @@ void CellWindow::select_all()
     if (plane_.pane() >= 0 && is_pane_flat()) return plane_.select_all();
     if (cell()->phase() == 1) return;
     std::vector<OrbitMember> points;
-    for (int point = 0; point < cell()->point_count(); ++point) points.push_back({point, {}});
+    for (int point = 0; point < cell()->point_count(); ++point)
+        if (const int pane = cell()->pane_of(point); pane < 0 || !cell()->is_flat(pane)) points.push_back({point, {}}); // those in a flat pane stay in its plane
     selection_.pick(*cell(), points);
 }
 
@@ -520,10 +527,10 @@ void CellWindow::forget_boxes()
     far_.forget_box();
 }
 
-/// Turns both views, or the one that the pointer is in where they turn by themselves.
+/// Turns the first view and the other one with it, or that which the pointer is in where they turn by themselves.
 void CellWindow::look(ViewAngles angles)
 {
-    const bool far = !link_.is_linked() && Fl::belowmouse() == &far_port_;
+    const bool far = link_.is_linked() ? &first_port() == &far_port_ : Fl::belowmouse() == &far_port_;
     (far ? far_ : near_).look(angles);
     animate_.start(cell_frame_time); // the view may be hidden, and then no frame of its own starts it
 }

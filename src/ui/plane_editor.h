@@ -77,6 +77,8 @@ public:
     void start_constraint();
     /// The next drag selects what is in a box.
     void start_box();
+    bool is_gesturing() const { return gesture_ != Gesture::none; }
+    bool is_box_next() const { return box_next_ && gesture_ == Gesture::none; }
     void forget_box() { box_next_ = false; }
     /// Takes away what is selected, or else what is under the pointer.
     virtual void remove() = 0;

@@ -276,7 +276,10 @@ bool View::animate(double now)
 void View::set_free_orbit(bool on)
 {
     free_orbit_ = on;
-    if (const ViewAngles at = camera_.angles(); !on && at.roll != 0) look({at.azimuth, at.elevation});
+    if (const ViewAngles at = camera_.angles(); !on && at.roll != 0) { // at once: a press would end an animation before it is upright
+        turn_.reset();
+        camera_.set_angles({at.azimuth, at.elevation});
+    }
     redraw();
 }
 

@@ -58,6 +58,7 @@ public:
     void set_element(Element element);
     /// The next drag with the left button selects what is in a box.
     void start_box_select();
+    bool is_box_next() const { return box_next_ && !boxing_; }
     void forget_box() { box_next_ = boxing_; }
     /// The radius of brushes in pixels; 0 touches only the face under the pointer.
     double brush() const { return settings_.brush; }

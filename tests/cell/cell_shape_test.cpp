@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace druse {
 namespace {
 
@@ -113,7 +115,7 @@ TEST_P(EveryShapedCell, RollsBackOnePairAndLeavesTheRest)
     tile.roll_back(p);
     EXPECT_TRUE(tile.is_flat(p));
     EXPECT_EQ(CellTile(tile.design()).design(), tile.design());
-    tile.remove_point(CellPointName::interior(p, 2));
+    tile.remove_points(std::array{CellPointName::interior(p, 2)});
     const CellPointName fresh = tile.add_point(p, tile.flat_place(p, tile.find_in_pane(p, CellPointName::interior(-1, 0))) * 0.9 + 0.03 * tile.cell().panes[std::size_t(p)].outline[0]);
     EXPECT_EQ(fresh.kind, CellPointName::Kind::interior);
     EXPECT_EQ(CellTile(tile.design()).design(), tile.design());

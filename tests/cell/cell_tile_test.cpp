@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace druse {
 namespace {
 
@@ -67,7 +69,7 @@ TEST(CellPanes, TakePointsOfAnEdgeOnAllSidesOfItsOrbit)
         EXPECT_EQ(int(mesh_of(tile).vertex_count()) - int(before.vertex_count()), 3 * members);
         EXPECT_EQ(int(tile.members(tile.find(CellPointName::edge(0, 1))).size()), members);
         expect_consistent(tile);
-        tile.remove_edge_point(CellPointName::edge(0, 1));
+        tile.remove_edge_points(std::array{CellPointName::edge(0, 1)});
         EXPECT_EQ(tile.edge_points(0), (std::vector<double>{0.25, 0.75}));
         expect_consistent(tile);
     }
@@ -88,7 +90,7 @@ TEST(CellPanes, TakePointsAndLinesInside)
     EXPECT_EQ(tile.interior(1)[0], Point2(2, 2));
     tile.unconstrain(1, path);
     EXPECT_TRUE(tile.constrained_edges(1).empty());
-    tile.remove_point(CellPointName::parse("p1:i0"));
+    tile.remove_points(std::array{CellPointName::parse("p1:i0")});
     EXPECT_EQ(tile.interior(1), (std::vector<Point2>{{-3, 1}}));
     // Lines that cross make a point.
     tile.constrain(2, std::array{CellPointName::parse("v0"), CellPointName::parse("v2")});
@@ -99,6 +101,44 @@ TEST(CellPanes, TakePointsAndLinesInside)
     tile.refine(2, {.min_angle = 20, .max_area = 10.0});
     EXPECT_GT(tile.interior(2).size(), 5u);
     expect_consistent(tile);
+}
+
+TEST(CellPanes, LoseManyPointsInOneStep)
+{
+    CellTile tile = CellTile::of_kind(CellKind::cube, 10);
+    const auto name = [](const char* text) { return CellPointName::parse(text); };
+    for (const Point2& at : {Point2(-3, 0), Point2(3, 0), Point2(0, -3), Point2(0, 3)}) tile.add_point(0, at);
+    tile.constrain(0, std::array{name("i0"), name("i1")});
+    tile.constrain(0, std::array{name("i2"), name("i3")});
+    ASSERT_EQ(tile.interior(0).size(), 5u) << "lines cross";
+    tile.add_point(1, {2, 2});
+    tile.add_edge_point(0, 0.25);
+    tile.add_edge_point(0, 0.75);
+
+    CellTile less = tile;
+    less.remove_points(std::array{name("p0:i4")});
+    EXPECT_EQ(less.notes(), (std::vector<std::string>{"i4 stays: lines cross there"}));
+    EXPECT_EQ(less.interior(0).size(), 5u);
+    less.remove_points(std::array{name("p0:i4"), name("p1:i0"), name("x0:1")});
+    EXPECT_EQ(less.notes(), (std::vector<std::string>{"i4 stays: lines cross there"}));
+    EXPECT_TRUE(less.interior(1).empty());
+    EXPECT_EQ(less.edge_points(0), (std::vector<double>{0.75}));
+    expect_consistent(less);
+
+    // Its lines go with it, whatever is named first, and one that is named twice goes once.
+    less = tile;
+    less.remove_points(std::array{name("x0:2"), name("p0:i4"), name("p0:i0"), name("p0:i3"), name("p0:i1"), name("p0:i2"), name("p0:i0"), name("x0:1")});
+    EXPECT_EQ(less.notes(), std::vector<std::string>());
+    EXPECT_TRUE(less.interior(0).empty());
+    EXPECT_TRUE(less.constrained_edges(0).empty());
+    EXPECT_TRUE(less.edge_points(0).empty());
+    EXPECT_EQ(less.interior(1).size(), 1u);
+    expect_consistent(less);
+
+    // All or nothing.
+    EXPECT_EQ(refusal(tile, [&] { tile.remove_points(std::array{name("p0:i0"), name("p1:i3")}); }), "no-such-point");
+    EXPECT_EQ(refusal(tile, [&] { tile.remove_points(std::array{name("p0:i0"), name("c0")}); }), "fixed");
+    EXPECT_EQ(refusal(tile, [&] { tile.remove_edge_points(std::array{name("x0:1"), name("p0:i0")}); }), "no-such-point");
 }
 
 TEST(CellPanes, MakeAPointNearASideOneOfItsEdgeOrbit)
@@ -127,7 +167,7 @@ TEST(CellPanes, KeepLinesAlongTheirSidesWhenPointsComeAndGo)
     tile.add_edge_point(orbit, 0.5);
     EXPECT_EQ(tile.constrained_edges(0).size(), 4u);
     expect_consistent(tile);
-    tile.remove_edge_point(CellPointName::edge(orbit, 0));
+    tile.remove_edge_points(std::array{CellPointName::edge(orbit, 0)});
     EXPECT_EQ(tile.constrained_edges(0).size(), 3u);
     expect_consistent(tile);
 }
@@ -139,12 +179,12 @@ TEST(CellPanes, RefuseWhatTheyCannotDo)
     tile.add_point(0, {1, 1});
     EXPECT_EQ(refusal(tile, [&] { tile.move_point(CellPointName::parse("x0:1"), {1, 1}); }), "fixed"); // points on the edges of panes stay
     EXPECT_EQ(refusal(tile, [&] { tile.move_point(CellPointName::parse("p0:v0"), {1, 1}); }), "fixed");
-    EXPECT_EQ(refusal(tile, [&] { tile.remove_point(CellPointName::parse("c0")); }), "fixed");
+    EXPECT_EQ(refusal(tile, [&] { tile.remove_points(std::array{CellPointName::parse("c0")}); }), "fixed");
     EXPECT_EQ(refusal(tile, [&] { tile.add_point(0, {100, 0}); }), "outside");
     EXPECT_EQ(refusal(tile, [&] { tile.add_point(7, {0, 0}); }), "no-such-pane");
     EXPECT_EQ(refusal(tile, [&] { tile.add_edge_point(12, 0.5); }), "no-such-edge");
-    EXPECT_EQ(refusal(tile, [&] { tile.remove_point(CellPointName::parse("p0:i7")); }), "no-such-point");
-    EXPECT_EQ(refusal(tile, [&] { tile.remove_point(CellPointName::parse("i0")); }), "no-such-point");
+    EXPECT_EQ(refusal(tile, [&] { tile.remove_points(std::array{CellPointName::parse("p0:i7")}); }), "no-such-point");
+    EXPECT_EQ(refusal(tile, [&] { tile.remove_points(std::array{CellPointName::parse("i0")}); }), "no-such-point");
     EXPECT_EQ(refusal(tile, [&] { tile.unconstrain(0, std::array{CellPointName::parse("v0"), CellPointName::parse("i0")}); }), "no-such-segment");
     EXPECT_EQ(refusal(tile, [&] { tile.move(std::array{0}, Vector(1)); }), "phase");
     EXPECT_EQ(refusal(tile, [&] { tile.split_triangle(0, 0, {0.2, 0.3, 0.5}); }), "phase");

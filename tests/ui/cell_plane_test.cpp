@@ -193,15 +193,59 @@ TEST_F(CubePane, WhatIsRefusedChangesNothingAndShowsInRed)
     EXPECT_FALSE(view.refused());
     EXPECT_EQ(steps(), 2u);
 
-    view.start_constraint();
-    view.press(at(0.5, 0.25));
+}
+
+TEST_F(CubePane, WhatIsPressedStaysItselfWhereOthersGo)
+{
+    for (const char* place : {"0.5,0.5", "-0.5,0.5", "0,-0.5"}) run(std::string("cell.point_add pane=0 at=") + place);
+    view.press(at(0, -0.5)); // i2
     run("cell.point_remove point=p0:i0");
-    view.release(at(1, 1)); // where it began there is nothing by now
-    EXPECT_EQ(steps(), 3u);
-    ASSERT_TRUE(view.refused_line());
-    EXPECT_EQ(view.refused_line()->second, Point2(1, 1));
-    view.press(at(2, 2));
-    EXPECT_FALSE(view.refused_line());
+    view.release(at(0, -0.5));
+    EXPECT_EQ(view.selected(), std::set<std::string>{"p0:i1"});
+    view.start_constraint();
+    view.press(at(0, -0.5)); // i1
+    run("cell.point_remove point=p0:i0");
+    EXPECT_TRUE(view.rubber());
+    view.release(at(1, 1));
+    session.wait();
+    EXPECT_EQ(last_step(), "cell.constrain pane=0 from=i0 to=v0");
+    run("cell.point_add pane=0 at=0.5,-0.5");
+    view.press(at(0.5, -0.5)); // i1
+    run("cell.point_remove point=p0:i0");
+    view.drag(at(0.4, -0.3));
+    view.release(at(0.4, -0.3));
+    session.wait();
+    EXPECT_TRUE(last_step().starts_with("cell.point_move point=p0:i0")) << last_step();
+
+    // It goes itself.
+    view.select({});
+    for (const bool drags : {false, true}) {
+        run("cell.point_add pane=0 at=0,0.5");
+        view.press(at(0, 0.5));
+        run("cell.point_remove point=p0:i1");
+        const std::size_t before = steps();
+        if (drags) view.drag(at(0.2, 0.2));
+        view.release(at(0.2, 0.2));
+        session.wait();
+        EXPECT_EQ(steps(), before);
+        EXPECT_TRUE(view.selected().empty());
+    }
+}
+
+TEST_F(CubePane, DeleteLeavesPointsOfSidesWhereThePanesAroundHaveTheirShape)
+{
+    for (const char* command : {"cell.point_add pane=0 at=0.5,0.5", "cell.edge_add edge=0 t=0.5", "cell.shape", "cell.rollback pane=0"}) run(command);
+    view.select_all();
+    EXPECT_TRUE(view.selected().contains("x0:1"));
+    view.remove();
+    session.wait();
+    EXPECT_EQ(last_step(), "cell.point_remove point=p0:i0");
+    EXPECT_TRUE(inside().empty());
+    EXPECT_TRUE(view.selected().empty());
+    view.select({"x0:1"});
+    view.remove();
+    EXPECT_EQ(message(), "points of edges come and go only while all panes are flat");
+    EXPECT_EQ(view.selected(), std::set<std::string>{"x0:1"});
 }
 
 TEST_F(CubePane, DeleteTakesAllThatIsSelectedInOneStep)

@@ -1,5 +1,6 @@
 #include "ui/cell_dialogs.h"
 #include "ui/cell_faults.h"
+#include "ui/cell_match.h"
 #include "ui/cell_tool.h"
 #include "ui/layout.h"
 #include "ui/opposite_camera.h"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
@@ -56,7 +58,7 @@ TEST(CellSelection, KeepsNamesThroughEditsAndForgetsWhatIsGone)
     CellSelection selection;
     selection.pick(cell, {{cell.find(CellPointName::interior(0, 0)), {}}, {cell.find(CellPointName::interior(1, 0)), {}}});
     cell.roll_back(0);
-    cell.remove_point(CellPointName::interior(0, 0));
+    cell.remove_points(std::array{CellPointName::interior(0, 0)});
     selection.follow(&cell);
     EXPECT_EQ(selection.text(), "p1:i0");
     EXPECT_EQ(selection.last()->at.orbit, cell.find(CellPointName::interior(1, 0)));
@@ -80,12 +82,28 @@ TEST(CellSelection, StaysOnThePointsWhereNamesShift)
     selection.follow(&cell);
     EXPECT_EQ(selection.text(), "p0:i1,s0,s1");
     cell.roll_back(0); // takes the split of its edge
-    cell.remove_point(CellPointName::interior(0, 0));
+    cell.remove_points(std::array{CellPointName::interior(0, 0)});
     selection.follow(&cell);
     EXPECT_EQ(selection.text(), "p0:i0,s0");
     EXPECT_EQ(selection.picks()[1].at.orbit, cell.find(CellPointName::split(0)));
     selection.follow(&before); // as undo does
     EXPECT_EQ(selection.text(), "p0:i1,s1");
+}
+
+TEST(CellMatch, KnowsNothingOfCellsOfAnotherHeightNorOfPointsThatWereNone)
+{
+    const CellTile low = CellTile::of_kind(CellKind::hexprism, 4), high = CellTile::of_kind(CellKind::hexprism, 4, 8);
+    EXPECT_FALSE(CellMatch(low, high).now(CellPointName::corner(0)));
+    EXPECT_TRUE(CellMatch(low, low).now(CellPointName::corner(0)));
+
+    CellTile cell = low;
+    cell.add_point(0, {0.5, 0});
+    cell.add_point(0, {-0.5, 0});
+    CellTile less = cell;
+    less.remove_points(std::array{CellPointName::interior(0, 0)});
+    const CellMatch match(cell, less);
+    EXPECT_EQ(match.now(CellPointName::interior(0, 1)), CellPointName::interior(0, 0));
+    EXPECT_FALSE(match.now(CellPointName::interior(0, 2)));
 }
 
 TEST(RollBack, TellsOfAllThatGoes)
