@@ -17,6 +17,10 @@ namespace {
 
 constexpr double surely_met = 20.7; // degrees up to which refinement is known to end
 
+// Faces that are looked through for the centre of one triangle, and for all of them: so many at the start, and for each point that is made. They are few as a rule, but not in
+// fans of very many triangles, most of which have their centres too near to a wall; what is in the way of the last of these is not looked for.
+constexpr std::size_t usual_faces = 256, most_faces = 4'000'000, faces_for_point = 64;
+
 // What is made in turn follows the places of points, never the numbers of faces and vertices: those differ between a pane and the same one read from a
 // file.
 
@@ -61,7 +65,6 @@ public:
                                                          Pane::most_refined, doubled / 2 / (2 * double(Pane::most_refined) + double(pane.triangle_count()))));
         const std::size_t tried = 50 * pane.state_.points + static_cast<std::size_t>(8 * pieces);
         most_ = asked.min_angle <= surely_met ? Pane::most_refined : std::min(Pane::most_refined, tried);
-        expected_ = asked.max_area ? pieces : double(tried);
     }
 
     Pane::Refined run()
@@ -90,7 +93,7 @@ public:
                 break;
             }
             if (result_.made >= most_) result_.complete = edges_.empty() && triangles_.empty() && walled_.empty();
-            if (progress_ && steps % 256 == 0) progress_->step(std::min(1.0, double(result_.made) / expected_));
+            if (progress_ && steps % 256 == 0) progress_->step(double(steps) / double(steps + edges_.size() + triangles_.size() + walled_.size()));
         }
         pane_.settle();
         for (Index h = 0; h < t_.side_end(); h += 4) {
@@ -257,6 +260,20 @@ private:
         return true;
     }
 
+    /// Whether so many faces may be looked through for one triangle.
+    bool may_look(std::size_t faces)
+    {
+        if (faces <= usual_faces) return true;
+        return ++looked_ <= most_faces + faces_for_point * result_.made;
+    }
+
+    /// A triangle that only has a small angle stays as it is.
+    void give_up(const Point2& middle, Index face, bool large)
+    {
+        halves_.clear();
+        if (large) put(middle, face);
+    }
+
     /// The centre of the triangle's circle, if nothing is in the way. `face` is its first side. Of what waits before a wall, whatever does.
     void mend(Index face, bool before_wall)
     {
@@ -269,7 +286,8 @@ private:
 
         // Straight from the middle of the triangle to the centre, as far as the next line.
         Index h = face, came = Pane::none, wall = Pane::none;
-        while (wall == Pane::none) {
+        for (std::size_t faces = 1; wall == Pane::none; ++faces) {
+            if (!may_look(faces)) return give_up(start, face, large);
             Index through = Pane::none;
             const Index first = first_side(t_, h);
             for (const Index side : {first, Triangulation::next(first), Triangulation::previous(first)})
@@ -285,7 +303,11 @@ private:
                 h = Triangulation::face(came);
             }
         }
-        if (wall == Pane::none) wall = look_round(centre, h, large);
+        if (wall == Pane::none) {
+            const auto found = look_round(centre, h, large);
+            if (!found) return give_up(start, face, large);
+            wall = *found;
+        }
 
         bool halved = false;
         for (const auto& [from, to] : std::exchange(halves_, {}))
@@ -302,12 +324,17 @@ private:
     }
 
     /// Looks at the faces that would make room for a centre, and at the lines around them: what the centre is too near to is to be halved. Returns one that
-    /// may not, or none.
-    Index look_round(const Point2& centre, Index face, bool large)
+    /// may not, or none; nothing where too much would have to be looked at.
+    std::optional<Index> look_round(const Point2& centre, Index face, bool large)
     {
-        std::vector<Index> room{face};
+        std::vector<Index>& room = room_;
+        room.assign(1, face);
+        ++look_;
+        looked_in_.resize(t_.side_end() / 4 + 1, 0);
+        looked_in_[face / 4] = look_;
         Index wall = Pane::none;
         for (std::size_t i = 0; i < room.size(); ++i) {
+            if (!may_look(i)) return {};
             const Index first = first_side(t_, room[i]);
             for (const Index side : {first, Triangulation::next(first), Triangulation::previous(first)}) {
                 if (t_.is_fixed(side)) {
@@ -321,9 +348,10 @@ private:
                     continue;
                 }
                 const Index beyond = Triangulation::face(t_.twin(side));
-                if (std::find(room.begin(), room.end(), beyond) == room.end() &&
-                    incircle(at(t_.origin(beyond)), at(t_.target(beyond)), at(t_.apex(beyond)), centre) > 0)
+                if (looked_in_[beyond / 4] != look_ && incircle(at(t_.origin(beyond)), at(t_.target(beyond)), at(t_.apex(beyond)), centre) > 0) {
+                    looked_in_[beyond / 4] = look_;
                     room.push_back(beyond);
+                }
             }
         }
         return wall;
@@ -342,11 +370,15 @@ private:
     Triangulation& t_;
     const Pane::Refinement& asked_;
     Progress* progress_;
-    double sine_, doubled_most_, expected_;
+    double sine_, doubled_most_;
     std::size_t most_;
     std::deque<std::pair<Index, Index>> edges_;
     std::deque<Corners> triangles_, walled_;
     std::vector<std::pair<Index, Index>> halves_;
+    std::vector<Index> room_;               // of look_round
+    std::vector<std::uint32_t> looked_in_;  // by face: the number of the last look that came there
+    std::uint32_t look_ = 0;
+    std::size_t looked_ = 0; // faces beyond the usual ones
     std::vector<Index> corner_of_; // by vertex: the sharp corner whose line was split there
     Pane::Refined result_;
 };

@@ -36,12 +36,14 @@ bool Triangulation::in_box(const Point2& p) const
 
 Index Triangulation::find_side(Index u, Index v) const
 {
-    Index h = out(u);
-    const Index first = h;
-    do {
+    const Index from_u = out(u), from_v = out(v);
+    Index h = from_u, g = from_v;
+    do { // about both ends at once: one of them may have very many sides
         if (target(h) == v) return h;
+        if (target(g) == u) return twin(g);
         h = turn(h);
-    } while (h != first);
+        g = turn(g);
+    } while (h != from_u && g != from_v);
     return none;
 }
 

@@ -76,7 +76,7 @@ public:
     bool is_corner(Index v) const { return v == state_.corners[0] || v == state_.corners[1] || v == state_.corners[2] || v == state_.corners[3]; }
     Index corner(int i) const { return state_.corners[std::size_t(i)]; }
     bool in_box(const Point2& p) const;
-    /// The side from u to v, or none. Precondition: u is not a corner of the box. Cost: valence of u.
+    /// The side from u to v, or none. Precondition: neither is a corner of the box. Cost: the lesser of their valences.
     Index find_side(Index u, Index v) const;
     std::size_t vertex_count() const { return state_.vertices; } // corners of the box included
 

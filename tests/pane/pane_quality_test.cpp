@@ -112,6 +112,31 @@ TEST(PaneRefine, EndsInRectanglesHoweverLong)
     }
 }
 
+// Behind each line are fans of as many triangles, which a boundary that is kept does not let become better.
+TEST(PaneRefine, EndsBetweenLinesHoweverNear)
+{
+    for (const bool split : {false, true}) {
+        Pane pane = with_points(0);
+        for (const double y : {5.0, 5.001}) pane.constrain_line(std::array{Point2(1, y), Point2(9, y)});
+        const auto refined = pane.refine({20, {}, split});
+        EXPECT_TRUE(refined.complete);
+        EXPECT_EQ(refined.falling_short == 0, split);
+        EXPECT_GT(refined.made, 2 * 8 / 0.003); // pieces that are no longer than three times their distance
+        EXPECT_LT(refined.made, 4 * 8 / 0.001);
+        expect_sound(pane);
+    }
+}
+
+TEST(PaneRefine, StopsAtTheMostPointsThatItMayMake)
+{
+    Pane pane(std::vector<Point2>{{0, 0}, {10, 0}, {10, 1e-5}, {0, 1e-5}}, {}, {0.0, {}});
+    const auto refined = pane.refine({20, {}, true});
+    EXPECT_FALSE(refined.complete);
+    EXPECT_EQ(refined.made, Pane::most_refined);
+    EXPECT_GT(refined.falling_short, 0u);
+    EXPECT_EQ(pane.point_count(), 4 + refined.made);
+}
+
 // Of the square of 100, T triangles of at most A each: T ≥ 100 / A, and 2 I + 4 − 2 of I points inside.
 TEST(PaneRefine, MeetsAreasWhereTheBoundaryIsKept)
 {
