@@ -35,7 +35,7 @@ void CellPlane::session_changed()
         hovered_.reset();
         if (shown_pane_.pane < 0 || !shown_pane_.is_flat) take_back();
         else if (has_point_pressed()) grab_again(grabbed ? grabbed->text() : std::string());
-        else if (gesture_ == Gesture::click) grabbed_ = hit(pressed_);
+        else if (gesture_ == Gesture::click) grab(hit(pressed_));
         if (has_other_size) frame();
         if (pointer_ && gesture_ == Gesture::none && shown_pane_.pane >= 0) hovered_ = hit(*pointer_);
     }
@@ -59,6 +59,12 @@ void CellPlane::follow_selected(const CellTile* now)
     selected_ = std::move(names);
 }
 
+void CellPlane::grab(const PaneHit& what)
+{
+    grabbed_ = what;
+    if (grabbed_.point >= 0) grabbed_point_ = shown_pane_.points[static_cast<std::size_t>(grabbed_.point)];
+}
+
 /// A point was pressed, and nothing came of it yet: something else may have been done to the cell since.
 bool CellPlane::has_point_pressed() const
 {
@@ -74,8 +80,9 @@ void CellPlane::grab_again(const std::string& name)
         take_back();
         return;
     }
-    grabbed_.point = static_cast<int>(found - shown_pane_.points.begin());
-    grabbed_point_ = *found;
+    PaneHit there = grabbed_;
+    there.point = static_cast<int>(found - shown_pane_.points.begin());
+    grab(there);
     if (gesture_ == Gesture::edit && step_->is_waiting()) drag_to(last_);
 }
 
@@ -189,16 +196,16 @@ bool CellPlane::may_edit()
 
 PlaneEditor::Gesture CellPlane::begin(const Pointer&)
 {
-    grabbed_ = hit(pressed_);
-    if (constrain_next_ && grabbed_.point < 0) {
+    PaneHit what = hit(pressed_);
+    if (constrain_next_ && what.point < 0) {
         constexpr double generous = 3; // times as far as a point is reached otherwise: nothing else is meant now
-        grabbed_.point = point_near(grabbed_.at, generous * reach());
-        if (grabbed_.point < 0) {
+        what.point = point_near(what.at, generous * reach());
+        if (what.point < 0) {
             note("a line begins at a point");
             return Gesture::none;
         }
     }
-    if (grabbed_.point >= 0) grabbed_point_ = shown_pane_.points[std::size_t(grabbed_.point)];
+    grab(what);
     if (box_next_) return Gesture::box;
     return constrain_next_ && grabbed_.point >= 0 ? Gesture::constrain : Gesture::click;
 }

@@ -64,6 +64,7 @@ private:
     int point_near(const Point2& place, double nearest) const; // −1: none is nearer
     void follow_selected(const CellTile* now);
     bool has_point_pressed() const;
+    void grab(const PaneHit& what);
     void grab_again(const std::string& name);
     bool may_edit(); // else a note says why not
     void add_edge_point(const PaneHit& at);

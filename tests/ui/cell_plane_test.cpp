@@ -217,8 +217,14 @@ TEST_F(CubePane, WhatIsPressedStaysItselfWhereOthersGo)
     session.wait();
     EXPECT_TRUE(last_step().starts_with("cell.point_move point=p0:i0")) << last_step();
 
-    // It goes itself.
+    // It goes itself, or comes below the pointer.
     view.select({});
+    view.press(at(-0.5, -0.5));
+    run("cell.point_add pane=0 at=-0.5,-0.5");
+    view.release(at(-0.5, -0.5));
+    EXPECT_EQ(view.selected(), std::set<std::string>{"p0:i1"});
+    run("cell.point_remove point=p0:i1");
+    EXPECT_TRUE(view.selected().empty());
     for (const bool drags : {false, true}) {
         run("cell.point_add pane=0 at=0,0.5");
         view.press(at(0, 0.5));
