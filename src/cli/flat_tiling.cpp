@@ -2,11 +2,9 @@
 
 #include "io/tile_file.h"
 #include "render/flat_painter.h"
-#include "tile/tile_look.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace druse {
@@ -20,18 +18,11 @@ constexpr double line_width = 0.01; // of the square root of a tile's area
 
 Image flat_tiling(const LayeredTile& tile, const StillOptions& options)
 {
-    const TileLook drawn = look(tile.design());
-    const Isometry world = tile.to_world();
-    std::vector<std::pair<TileCopy, Isometry>> copies;
-    FlatBox box;
-    for (const TileCopy& copy : drawn_copies(tile)) {
-        copies.emplace_back(copy, world * tile.motion(copy));
-        for (const OutlinePoint& p : tile.outline().points) box.add(copies.back().second(p.position));
-    }
-    const Point2 picture(options.width, options.height), size = box.max - box.min;
+    const auto [copies, box] = drawn_tiling(tile);
+    const Point2 picture(options.width, options.height), size = box.max - box.min, middle = 0.5 * (box.min + box.max);
     const double room = 1 - 2 * margin, pixels = room * std::min(picture.x / size.x, picture.y / size.y);
     const auto place = [&](const Point2& p) {
-        const Point2 from_middle = pixels * (p - 0.5 * (box.min + box.max));
+        const Point2 from_middle = pixels * (p - middle);
         return Point2(0.5 * picture.x + from_middle.x, 0.5 * picture.y - from_middle.y);
     };
 
@@ -41,11 +32,11 @@ Image flat_tiling(const LayeredTile& tile, const StillOptions& options)
     const Colour ink{0, 0, 0};
     const double width = std::max(1.0, line_width * std::sqrt(tile.area()) * pixels);
     std::vector<Point2> outline;
-    for (const auto& [copy, motion] : copies) {
+    for (const DrawnTiling::Copy& copy : copies) {
+        const Isometry& motion = copy.motion;
         outline.clear();
         for (int i = 0; i < tile.outline_count(); ++i) outline.push_back(place(motion(tile.position(i))));
-        const int colour = tile.type().colours.of(copy.aspect, copy.shift.i, copy.shift.j);
-        painter.fill(outline, drawn.colours[static_cast<std::size_t>(colour)]);
+        painter.fill(outline, copy.colour);
         painter.lines(outline, true, width, ink);
         for (const auto& [a, b] : tile.constrained_edges()) painter.line(place(motion(tile.position(a))), place(motion(tile.position(b))), width, ink);
     }

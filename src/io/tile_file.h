@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geom/colour.h"
 #include "io/byte_source.h"
 #include "io/model.h"
 #include "io/output_files.h"
@@ -22,6 +23,17 @@ void write_tile(const ModelView& model, OutputFiles& out);
 
 /// The copies that drawings of the flat tiling show, in their order.
 std::vector<TileCopy> drawn_copies(const LayeredTile& tile);
+
+/// The flat tiling as pictures show it: each copy with the way that it takes to its place in the world, its colour, and the box of all outlines.
+struct DrawnTiling {
+    struct Copy {
+        Isometry motion;
+        Colour colour;
+    };
+    std::vector<Copy> copies; // as drawn_copies()
+    FlatBox box;
+};
+DrawnTiling drawn_tiling(const LayeredTile& tile);
 
 /// Draws the flat tiling of the tile of a model: as many places of its lattice as its design says, in the colours of its type, in millimetres.
 /// @throws InputError if there is no tile

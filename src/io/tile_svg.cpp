@@ -39,19 +39,26 @@ std::vector<TileCopy> drawn_copies(const LayeredTile& tile)
     return copies;
 }
 
+DrawnTiling drawn_tiling(const LayeredTile& tile)
+{
+    const TileLook drawn = look(tile.design());
+    const Isometry world = tile.to_world();
+    DrawnTiling tiling;
+    for (const TileCopy& copy : drawn_copies(tile)) {
+        const int colour = tile.type().colours.of(copy.aspect, copy.shift.i, copy.shift.j);
+        const Isometry motion = world * tile.motion(copy);
+        tiling.copies.push_back({motion, drawn.colours[static_cast<std::size_t>(colour)]});
+        for (const OutlinePoint& p : tile.outline().points) tiling.box.add(motion(p.position));
+    }
+    return tiling;
+}
+
 void write_svg(const ModelView& model, OutputFiles& out)
 {
     if (!model.tile) throw InputError(out.name(), "the document holds no tile to draw");
     const LayeredTile& tile = *model.tile;
-    const TileLook drawn = look(tile.design());
-    const Isometry world = tile.to_world();
-    std::vector<std::pair<TileCopy, Isometry>> copies;
-    FlatBox box;
-    for (const TileCopy& copy : drawn_copies(tile)) {
-        copies.emplace_back(copy, world * tile.motion(copy));
-        for (const OutlinePoint& p : tile.outline().points) box.add(copies.back().second(p.position));
-    }
-    box = box.grown(margin * std::max(box.max.x - box.min.x, box.max.y - box.min.y));
+    const auto [copies, tight] = drawn_tiling(tile);
+    const FlatBox box = tight.grown(margin * std::max(tight.max.x - tight.min.x, tight.max.y - tight.min.y));
     const Point2 size = box.max - box.min;
 
     // y is up in the world and down in a drawing.
@@ -60,10 +67,9 @@ void write_svg(const ModelView& model, OutputFiles& out)
                          box.min.x, -box.max.y, size.x, size.y));
     sink.put(fmt::format("<defs>\n<path id=\"tile\" d=\"{}\"/>\n<path id=\"lines\" fill=\"none\" d=\"{}\"/>\n</defs>\n", path_text(tile), lines_text(tile)));
     sink.put(fmt::format("<g stroke=\"#000000\" stroke-width=\"{:.6g}\" stroke-linejoin=\"round\">\n", line_width * std::sqrt(tile.area())));
-    for (const auto& [copy, m] : copies) {
-        const int colour = tile.type().colours.of(copy.aspect, copy.shift.i, copy.shift.j);
+    for (const auto& [m, colour] : copies) {
         const std::string place = fmt::format("matrix({:.12g} {:.12g} {:.12g} {:.12g} {:.12g} {:.12g})", m.x.x, -m.x.y, m.y.x, -m.y.y, m.shift.x, -m.shift.y);
-        sink.put(fmt::format("<use href=\"#tile\" transform=\"{}\" fill=\"{}\"/>\n", place, to_hex(drawn.colours[static_cast<std::size_t>(colour)])));
+        sink.put(fmt::format("<use href=\"#tile\" transform=\"{}\" fill=\"{}\"/>\n", place, to_hex(colour)));
         if (!tile.design().segments.empty()) sink.put(fmt::format("<use href=\"#lines\" transform=\"{}\"/>\n", place));
     }
     sink.put("</g>\n</svg>\n");
